@@ -99,7 +99,7 @@ fn no_similarity_solution_holds_beside_another_body() {
     assert!(words.contains("`similarity`") && words.contains("a wedge alone"), "{words}");
 }
 
-/// A wedge with a box on a slider: the box changes how it decelerates, and the scene is told what it lacks.
+/// A wedge with a box on a slider: the box changes how it decelerates, and the scene is told what is left out.
 #[test]
 fn a_joined_body_that_enters_is_told_of_the_speed_of_sound_that_it_would_have() {
     let top = "[[bodies]]\nname = \"top\"\nshape = \"box\"\nbreadth = 0.1\nheight = 0.1\nmass = 10.0\nfree = [\"y\"]\n\
