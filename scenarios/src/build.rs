@@ -4,7 +4,7 @@ use fsi_coupling::geometry::error::OutlineError;
 use fsi_coupling::geometry::layout::{Basin, Layout};
 use fsi_coupling::{
     Body, Coupled, CouplingError, FlexibleBody, FlexibleSpec, Frame, ModalBody, ModalSpec, Outline, PlacedBodies,
-    Plate, PrescribedBody, RigidBody2d, RigidMotion, RigidSpec, Shape, SprungSpec, Tank, WallRows,
+    Plate, PrescribedBody, RigidBody2d, RigidMotion, RigidSpec, Shape, Tank, WallRows,
 };
 use sph_core::neighbours::images::Mirror;
 use sph_core::{Domain, Fluid};
@@ -12,7 +12,7 @@ use structure_fe::Damping;
 
 use crate::follow::Follower;
 use crate::initial_fluid::initial_fluid;
-use crate::scene::{self, Modes, Motion, Moved, PanelEnd, Scene, SprungMass, Symmetry};
+use crate::scene::{self, Modes, Motion, Moved, PanelEnd, Scene, Symmetry};
 
 /// Fluid, walls and bodies of a scene at the start of its run: the bodies are placed, the water is filled in around them.
 pub fn build(scene: &Scene) -> Result<Coupled, CouplingError> {
@@ -196,14 +196,9 @@ fn rigid_or_prescribed(scene: &Scene, body: &scene::Body, rows: &WallRows) -> Re
         angular_velocity: start.angular_velocity,
         gravity: scene.gravity,
         half,
-        sprung: body.sprung_masses.iter().map(sprung).collect(),
+        sprung: body.sprung_masses.iter().map(scene::sprung_spec).collect(),
     })?;
     Ok(Box::new(rigid.starting_at(clock)))
-}
-
-fn sprung(mass: &SprungMass) -> SprungSpec {
-    let SprungMass { name, mass, stiffness, damping } = mass.clone();
-    SprungSpec { name, mass, stiffness, damping }
 }
 
 /// A body with panels.

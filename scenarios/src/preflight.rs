@@ -16,10 +16,12 @@ use sph_core::Solver;
 use crate::build::layout;
 use crate::model_hierarchy::{Assessment, QuantityOfInterest, assess};
 use crate::scene::{
-    Body, CouplingScheme, ExchangeRatio, Modes, OutlineReport, Panel, Scene, Symmetry, known_compressibility_error,
-    line, longest_step, memory_estimate, panel_exchanges, panel_length, particle_estimate,
+    Body, CouplingScheme, Entry, ExchangeRatio, Modes, OutlineReport, Panel, Scene, Symmetry,
+    known_compressibility_error, line, longest_spring_step, longest_step, memory_estimate, panel_exchanges,
+    panel_length, particle_estimate,
 };
 use fsi_coupling::entry_theory::EntryModel;
+use fsi_coupling::geometry::layout::tile;
 use fsi_coupling::natural_frequencies;
 use fsi_coupling::settings::significant;
 
@@ -133,13 +135,22 @@ pub(crate) fn step(scene: &Scene) -> f64 {
         true => scene.projection_speed(),
         false => scene.sound_speed() + scene.fastest_speed(),
     };
-    let automatic = || (scene.courant_number() * h / fastest).min(longest_step(scene));
+    let automatic = || (scene.courant_number() * h / fastest).min(longest_step(scene)).min(longest_spring_step(scene));
     scene.time.step.unwrap_or_else(automatic).min(scene.time.end)
+}
+
+/// Particles of the block of water in the air, counted.
+fn particles_of_block(scene: &Scene) -> usize {
+    let mut count = 0;
+    if let Some(block) = scene.tank.block() {
+        tile(block.from, block.to, scene.resolution.spacing, |_| count += 1);
+    }
+    count
 }
 
 /// Estimate cost and validity of a run, without running it.
 pub fn preflight(scene: &Scene, warnings: &[String]) -> Preflight {
-    let fluid_particles = layout(scene).count();
+    let fluid_particles = layout(scene).count() + particles_of_block(scene);
     let (last, wall_particles) = particle_estimate(scene);
     let fluid_particles_at_end = scene.resolution.follow.then_some(last);
     // an area grows with the square of the draught: a third of what is added is there in the mean
@@ -148,10 +159,12 @@ pub fn preflight(scene: &Scene, warnings: &[String]) -> Preflight {
     let sound = (!scene.solver.is_incompressible()).then_some(scene.sound_speed());
     let (step, cost) = (step(scene), cost_of_step(scene));
     let steps = ((scene.time.end - scene.time.start) / step).ceil();
-    let entry = scene.entry();
+    let entries = scene.entries();
+    let least = |of: &dyn Fn(&Entry) -> f64| entries.iter().map(|(_, entry)| of(entry)).reduce(f64::min);
+    let root = entries.iter().map(|(_, entry)| entry.root_speed()).reduce(f64::max);
     let sides = if scene.symmetry == Symmetry::X { 1.0 } else { 2.0 };
     let length = |panel: &Panel| scene.body.as_ref().map_or(0.0, |body| panel_length(body, panel));
-    let wetted = entry.map(|e| sides * e.bottom.wetted_half_width(e.attached_draught()));
+    let wetted = least(&|e| sides * e.bottom.wetted_half_width(e.attached_draught()));
     Preflight {
         scene: scene.name.clone(),
         fluid_particles,
@@ -163,11 +176,9 @@ pub fn preflight(scene: &Scene, warnings: &[String]) -> Preflight {
         core_seconds: cost * (fluid_particles as f64 + added) * steps,
         sound_speed_m_per_s: sound,
         mach: sound.map(|sound| fastest / sound),
-        compressibility_error: entry
-            .zip(sound)
-            .and_then(|(entry, sound)| known_compressibility_error(entry.root_speed(), sound)),
+        compressibility_error: root.zip(sound).and_then(|(root, sound)| known_compressibility_error(root, sound)),
         spacings_across_wetted_width: wetted.map(|w| w / scene.resolution.spacing),
-        spacings_across_pressure_peak: entry.map(|e| e.peak_length() / scene.resolution.spacing),
+        spacings_across_pressure_peak: least(&Entry::peak_length).map(|length| length / scene.resolution.spacing),
         coupling_scheme: scene.coupling.scheme,
         added_mass_ratios: sound.and_then(|_| ExchangeRatio::of(scene)).map(|exchange| exchange.ratios),
         panels: panel_exchanges(scene)
@@ -184,7 +195,10 @@ pub fn preflight(scene: &Scene, warnings: &[String]) -> Preflight {
         modes: scene.body.as_ref().and_then(|body| body.modal.as_ref()).map(ModesBrief::of),
         model: scene.model.name(),
         choice: scene.choice.clone(),
-        theories: scene.entry().map_or(Vec::new(), |_| assess(scene, QuantityOfInterest::PeakForce)),
+        theories: scene
+            .entry()
+            .filter(|_| scene.bodies.is_empty())
+            .map_or(Vec::new(), |_| assess(scene, QuantityOfInterest::PeakForce)),
         outline: None,
         warnings: warnings.to_vec(),
     }
@@ -336,4 +350,17 @@ fn address_space() -> Option<u64> {
     let limits = std::fs::read_to_string("/proc/self/limits").ok()?;
     let soft = limits.lines().find_map(|line| line.strip_prefix("Max address space"))?;
     soft.split_whitespace().next()?.parse().ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::load;
+
+    /// 0.2 by 0.3 m at 0.02 m are 150 particles, 1.2 by 0.4 m are 1200.
+    #[test]
+    fn the_block_of_water_is_counted() {
+        let loaded = load("falling_jet", &[]).expect("a built-in scene");
+        assert_eq!(preflight(&loaded.scene, &loaded.warnings).fluid_particles, 1350);
+    }
 }

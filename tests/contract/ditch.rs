@@ -13,6 +13,8 @@ fn a_landing_writes_its_files() {
     let ended = place.run(&[&SHORT[..], &["--json"]].concat());
     assert_eq!(ended.code, Some(0), "{}", ended.message);
     let summary = place.summary("out");
+    let told = place.run(&["ditch", "mercure", "--set", "landing.end=0.5", "--out", "told"]);
+    assert!(told.stdout.contains("no band of these loads"), "{}", told.stdout);
     assert_eq!(serde_json::from_str::<Value>(&ended.stdout).expect("JSON on stdout"), summary);
     assert_eq!((&summary["status"], &summary["model"]), (&"completed".into(), &"mlm".into()));
     assert!(summary["load_factor"]["value"].as_f64().expect("a number") > 1.0);
@@ -95,6 +97,13 @@ fn sections_of_a_landing_can_be_checked_and_run() {
     let files: Vec<_> = std::fs::read_dir(place.path("sections")).expect("a folder").flatten().collect();
     assert_eq!(files.len(), 2);
     for file in files {
+        let text = std::fs::read_to_string(file.path()).expect("a scene");
+        let number = |key: &str| {
+            let line = text.lines().find(|line| line.starts_with(&format!("{key} = "))).expect(key);
+            line.rsplit(' ').next().and_then(|word| word.trim_end_matches(']').parse::<f64>().ok()).expect("a number")
+        };
+        let draught = -number("velocity") * number("end");
+        assert!(draught / number("spacing") > 19.0, "{draught} m in spacings of {} m", number("spacing"));
         let checked = place.run(&["check", file.path().to_str().expect("a path")]);
         assert_eq!(checked.code, Some(0), "{}", checked.message);
     }
@@ -113,6 +122,8 @@ fn a_landing_refuses_what_it_cannot_use() {
     refused(&["mercury"], &["neither a built-in scene nor a file", "mercure"]);
     refused(&["mercure", "--set", "landing.end=-1"], &["landing.end", "above 0"]);
     refused(&["mercure", "--set", "landing.speeed=70"], &["unknown key", "landing.speed"]);
+    let similarity = ["mercure", "--set", "model=similarity"];
+    refused(&similarity, &["`model` = `similarity`", "`mlm`"]);
     let flies = place.run(&["ditch", "mercure", "--set", "landing.speed=90", "--out", "off"]);
     assert_eq!(flies.code, Some(0), "{}", flies.message);
     assert!(flies.stdout.contains("has left the water: at t = 0.9"), "{}", flies.stdout);

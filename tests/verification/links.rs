@@ -8,9 +8,10 @@ const WEDGE: &str = "name = \"joined\"\nsolver = \"SOLVER\"\n[time]\nend = 0.05\
     [resolution]\nspacing = 0.02\n[body]\nname = \"wedge\"\nshape = \"wedge\"\ndeadrise_deg = 30.0\nbreadth = 0.4\n\
     velocity = [0.0, -4.0]\nposition = [0.0, 0.0]\nangle_deg = 5.0\n";
 
-/// A body far off in the air: with it, a scene of one body has the settings of a scene of several.
+/// A body far off in the air on a spring without force: with it, a scene of one body has the settings of one of joined bodies.
 const POST: &str = "[[bodies]]\nname = \"post\"\nshape = \"box\"\nbreadth = 0.16\nheight = 0.16\nmotion = \"fixed\"\n\
-    position = [0.6, 0.5]\n";
+    position = [0.6, 0.5]\n[[joints]]\nname = \"slack\"\nkind = \"spring\"\nbodies = [\"wedge\", \"post\"]\nat = [0.0, 0.3]\n\
+    to = [0.6, 0.5]\nstiffness = 1e-9\n";
 
 fn motion(system: &Coupled, k: usize) -> Motion {
     system.bodies().nth(k).and_then(|body| body.motion()).expect("a body that moves")

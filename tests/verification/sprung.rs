@@ -4,6 +4,9 @@ use evidence::load::Handled;
 use evidence::systems::{advance, of_text, system};
 use fsi_coupling::entry_theory::{EntryModel, Loads, Section};
 use fsi_coupling::{Inspect, Outline, RigidBody2d, RigidSpec, Shape, SprungSpec, WettedBody};
+use scenarios::build::build;
+use scenarios::preflight::preflight;
+use scenarios::scene::load;
 use sph_core::Walls;
 
 /// Force of a wedge of 30° at constant speed, over rho V^3 t (Zhao & Faltinsen 1993, table 1) [-].
@@ -111,6 +114,27 @@ fn a_step_too_long_for_a_spring_is_refused_with_the_one_that_would_do() {
     let mut body = upright(seat(2.0, 3e6, 0.0), -1.0);
     let refused = body.advance(0.01).expect_err("too long").to_string();
     assert!(refused.contains("seat") && refused.contains("would do"), "{refused}");
+}
+
+/// CO35: half of √(μ/k) of 10 kg/m on a box of 40 kg/m.
+#[test]
+fn a_mass_on_a_stiff_spring_shortens_the_steps() {
+    let sets =
+        ["body.free=[\"y\"]", "body.sprung_masses=[{name=\"seat\",mass=10,stiffness=2e5}]", "solver=incompressible"];
+    let loaded = load("floating_box", &sets.map(String::from)).expect("a sound scene");
+    let longest = 0.5 * (8.0_f64 / 2e5).sqrt();
+    let told = preflight(&loaded.scene, &loaded.warnings).step_s;
+    assert!((told / longest - 1.0).abs() < 1e-12, "check tells {told} s, {longest} s would do");
+    let mut system = build(&loaded.scene).expect("a system");
+    for _ in 0..3 {
+        let step = system.stable_dt().expect("a step");
+        assert!(step <= longest, "{step} s, {longest} s would do");
+        system.step(step).expect("a step that the spring allows");
+    }
+    let fixed = [&sets[..], &["time.step=0.004"]].concat();
+    let refused = load("floating_box", &fixed.into_iter().map(String::from).collect::<Vec<_>>());
+    let words = refused.expect_err("a step too long for the spring").to_string();
+    assert!(words.contains("`time.step`") && words.contains("seat") && words.contains("0.003162"), "{words}");
 }
 
 /// A wedge of 20° with a mass on a spring, by particles, against two masses under the load of the modified Logvinovich model (Korobkin 2004),

@@ -76,6 +76,17 @@ pub trait Contact {
         0.0
     }
 
+    /// Distance of a solid's point [m], positive outside, and the point of the surface that it meets (THEORY CO37). As a particle's, where
+    /// a body does not say otherwise.
+    fn met_by_solid(&self, at: [f64; 2]) -> (f64, SurfacePoint) {
+        (self.signed_distance(at), self.surface(at))
+    }
+
+    /// Corners on which a solid may lie [m], of a body without an outline.
+    fn rims(&self) -> Vec<[f64; 2]> {
+        Vec::new()
+    }
+
     /// Apply an impulse at once. After: momentum, work and surface velocities include it.
     fn apply_impulse(&mut self, contact: &ContactImpulse);
 }

@@ -285,6 +285,10 @@ impl WettedBody for RigidBody2d {
         Ok(())
     }
 
+    fn stable_dt(&self) -> f64 {
+        self.spec.sprung.iter().map(|spec| spec.longest_step(self.spec.mass)).fold(f64::INFINITY, f64::min)
+    }
+
     fn checkpoint(&mut self) {
         let body = &self.world.bodies[self.handle];
         self.checkpoint = Some((self.state, self.sprung.clone(), *body.position(), body.linvel(), body.angvel()));

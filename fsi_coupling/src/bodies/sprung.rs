@@ -51,8 +51,8 @@ impl SprungSpec {
         gravity - force / self.mass
     }
 
-    /// Longest step [s] on a body of a mass [kg/m].
-    pub(super) fn longest_step(&self, of_body: f64) -> f64 {
+    /// CO35: longest step [s] on a body of a mass [kg/m].
+    pub fn longest_step(&self, of_body: f64) -> f64 {
         let reduced = self.mass * of_body / (self.mass + of_body);
         LONGEST_STEP * (reduced / self.stiffness).sqrt().min(reduced / self.damping)
     }

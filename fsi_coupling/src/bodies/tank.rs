@@ -71,6 +71,12 @@ impl Tank {
         self.x[0] + self.piston_at(0.0)[0]
     }
 
+    /// Side walls: x of the inner face [m], 1 to the right or −1 to the left of the water, velocity [m/s].
+    fn walls(&self) -> impl Iterator<Item = (f64, f64, f64)> {
+        let left = (!self.half).then(|| (self.left_wall(), -1.0, self.piston_at(0.0)[1]));
+        std::iter::once((self.x[1], 1.0, 0.0)).chain(left)
+    }
+
     /// True for a particle that moves with the piston: all that are above the floor and left of the water.
     fn is_piston(&self, point: &WallPoint) -> bool {
         self.piston.is_some() && point.at[0] < self.x[0] && point.at[1] > self.floor
@@ -257,6 +263,35 @@ impl Contact for Tank {
         ];
         let nearer = |a: (f64, SurfacePoint), b: (f64, SurfacePoint)| if b.0 < a.0 { b } else { a };
         planes.into_iter().reduce(nearer).unwrap_or(planes[0]).1
+    }
+
+    /// CO37: the floor, and walls that end at the rim and are as thick as their rows.
+    fn met_by_solid(&self, at: [f64; 2]) -> (f64, SurfacePoint) {
+        let [x, y] = at;
+        let fixed = |at, normal| SurfacePoint { at, normal, velocity: [0.0; 2] };
+        let mut met = vec![(y - self.floor, fixed([x, self.floor], [0.0, 1.0]))];
+        for (wall, out, speed) in self.walls() {
+            let (inside, above) = (out * (wall - x), y - self.rim);
+            let beyond = -inside - self.thickness;
+            if beyond > 0.0 {
+                return (f64::INFINITY, fixed(at, [out, 0.0])); // outside the tank
+            }
+            met.push(if inside > 0.0 && above > 0.0 {
+                let away = inside.hypot(above);
+                let surface = fixed([wall, self.rim], [-out * inside / away, above / away]);
+                (away, SurfacePoint { velocity: [speed, 0.0], ..surface })
+            } else if above > inside {
+                (above, fixed([x, self.rim], [0.0, 1.0]))
+            } else {
+                (inside, SurfacePoint { velocity: [speed, 0.0], ..fixed([wall, y], [-out, 0.0]) })
+            });
+        }
+        met.into_iter().reduce(|a, b| if b.0 < a.0 { b } else { a }).unwrap_or((f64::INFINITY, fixed(at, [0.0, 1.0])))
+    }
+
+    fn rims(&self) -> Vec<[f64; 2]> {
+        let ends = self.walls().flat_map(|(wall, out, _)| [wall, wall + out * self.thickness]);
+        ends.filter(|x| x.is_finite()).map(|x| [x, self.rim]).collect()
     }
 
     fn apply_impulse(&mut self, contact: &ContactImpulse) {

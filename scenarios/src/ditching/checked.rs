@@ -1,6 +1,8 @@
 //! What the file of a landing must keep to, and the landing that it gives.
 
-use fsi_coupling::entry_theory::ditching::{Aeroplane, Form, Fuselage, FuselageError, Hull, Landing, Station};
+use fsi_coupling::entry_theory::ditching::{
+    Aeroplane, Form, Fuselage, FuselageError, Hull, Landing, OF_LANDINGS, Station,
+};
 use fsi_coupling::settings::{Problem, require};
 
 use super::aeroplane::aeroplane;
@@ -113,7 +115,7 @@ pub(super) fn hull(scene: &Scene) -> Result<Hull, Problem> {
         let sentence = format!("`{key}`: {}", e.why);
         Problem { key, sentence, ..Problem::default() }
     };
-    if !scene.model.is_formula() {
+    if !OF_LANDINGS.contains(&scene.model) {
         return Err(Problem::new("model", scene.model.name(), "von_karman, wagner or mlm"));
     }
     Fuselage::new(&stations).and_then(|fuselage| Hull::new(fuselage, scene.model)).map_err(refused)

@@ -16,6 +16,9 @@ use super::series::Series;
 use crate::report::run_page::quantity::digits;
 use crate::run::summary::{Peak, Status};
 
+/// What is said of all loads of a landing.
+const NO_BAND: &str = "no band of these loads and accelerations is known: do not design by them";
+
 /// A landing that was followed.
 pub struct Landed {
     /// The numbers.
@@ -234,7 +237,7 @@ impl Summary {
         format!(
             "{}: {} strips, {} steps, {:.1} s of wall time\n  vertical {}, load factor {}; deceleration {}\n  water {:.0} kN \
              at {:.3} s; {keel}\n  {:.1} m in {:.2} s, from {:.1} to {:.1} m/s; pitch \
-             {:.1} to {:.1} degrees{ended}{}{}{}{}",
+             {:.1} to {:.1} degrees{ended}{}{}{}\n  {NO_BAND}{}",
             self.scene,
             self.strips,
             self.steps,

@@ -5,6 +5,8 @@ use super::field::{LARGE, large, real, whole};
 
 /// Columns of a field of the small format, and of the name.
 const SMALL: usize = 8;
+/// Column from which a line of a fixed format has its tenth field.
+const COMMENTS: usize = 72;
 /// Fields of a line after the name: of the small format, and of the large one.
 const PER_LINE: [usize; 2] = [8, 4];
 
@@ -165,12 +167,14 @@ fn shown(text: &str) -> String {
 /// A line as name, fields and mark.
 fn split(line: &str, number: usize) -> Result<Line, CardError> {
     let clean = |text: &str| text.trim().to_string();
-    if line.contains(',') {
+    // the tenth field of a fixed format may be a comment, with commas too
+    if line.chars().take(COMMENTS).any(|c| c == ',') {
         let mut parts: Vec<String> = line.split(',').map(clean).collect();
         let name = parts.remove(0);
         let large = name.contains('*');
         let per_line = PER_LINE[usize::from(large)];
         let mark = if parts.len() > per_line { parts.remove(per_line) } else { String::new() };
+        let mark = if mark.starts_with(['+', '*']) { mark } else { String::new() };
         if let Some(more) = parts.iter().skip(per_line).find(|part| !part.is_empty()) {
             let expected = format!("at most {per_line} fields after the name, and a continuation mark");
             return Err(CardError::new(number, format!("a further field `{more}`"), expected));
@@ -192,7 +196,9 @@ fn split(line: &str, number: usize) -> Result<Line, CardError> {
         let expected = format!("one value in each field of {width} columns, or commas between the fields");
         return Err(CardError::new(number, format!("`{crowded}` in one field"), expected));
     }
-    Ok(Line { name, fields, large, mark: part(SMALL + width * per_line, SMALL) })
+    let tenth = part(SMALL + width * per_line, SMALL);
+    let mark = if tenth.starts_with(['+', '*']) { tenth } else { String::new() };
+    Ok(Line { name, fields, large, mark })
 }
 
 /// The characters of a line, each tab as spaces up to the next field.

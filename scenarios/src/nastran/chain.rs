@@ -213,7 +213,8 @@ fn chain_bar(
     reversed: bool,
     reading: &Reading,
 ) -> Result<ChainBar, CardError> {
-    let property: &Property = named(bar, "PBAR", bar.property, model.properties.iter().find(|p| p.id == bar.property))?;
+    let property: &Property =
+        named(bar, "PBAR, PBARL or PBEAM", bar.property, model.properties.iter().find(|p| p.id == bar.property))?;
     let id = property.material;
     let material: &Isotropic = match model.materials.iter().find(|material| material.id == id) {
         Some(material) => material,

@@ -8,7 +8,9 @@ pub mod cards;
 pub mod chain;
 mod field;
 pub mod model;
+mod pbeam;
 mod read;
+mod sections;
 mod supports;
 mod write;
 

@@ -22,7 +22,7 @@ pub enum Orientation {
     Grid(i64),
 }
 
-/// A bar: CBAR.
+/// A bar: CBAR or CBEAM.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bar {
     /// Its number.
@@ -39,7 +39,7 @@ pub struct Bar {
     pub line: usize,
 }
 
-/// A section: PBAR.
+/// A section: PBAR, PBARL or PBEAM.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Property {
     /// Its number.
@@ -107,4 +107,6 @@ pub struct BeamModel {
     pub constraints: Vec<Constraint>,
     /// Number of lines.
     pub lines: usize,
+    /// What was left out, in sentences.
+    pub told: Vec<String>,
 }

@@ -1,8 +1,12 @@
 //! From cards to a beam model.
 
+use std::collections::BTreeMap;
+
 use super::CardError;
 use super::cards::{Card, cards};
 use super::model::{Bar, BeamModel, Constraint, Grid, Isotropic, Orientation, Property};
+use super::pbeam::property_of_beam;
+use super::sections::property_of_shape;
 
 /// Cards that do not change the structure: loads, which are the water's here, and what controls the solution.
 const WITHOUT_EFFECT: [&str; 29] = [
@@ -20,12 +24,21 @@ impl BeamModel {
         let comments = text.lines().map_while(|line| line.strip_prefix('$'));
         let heading = comments.map(|line| line.trim().to_string()).collect();
         let mut model = BeamModel { heading, lines: text.lines().count().max(1), ..BeamModel::default() };
-        let mut held = 0;
-        for card in cards(text)? {
+        let (mut held, mut passed_over) = (0, BTreeMap::<String, usize>::new());
+        let cards = cards(text)?;
+        let usual = cards.iter().find(|card| card.name == "GRDSET").map_or(Ok(String::new()), usual_of_grids)?;
+        for card in cards {
             match card.name.as_str() {
-                "GRID" => model.grids.push(grid(&card)?),
-                "CBAR" => model.bars.push(bar(&card)?),
+                "GRID" => model.grids.push(grid(&card, &usual)?),
+                "GRDSET" => {}
+                "CBAR" | "CBEAM" => model.bars.push(bar(&card)?),
                 "PBAR" => model.properties.push(property(&card)?),
+                "PBARL" => model.properties.push(property_of_shape(&card)?),
+                "PBEAM" => {
+                    let (property, told) = property_of_beam(&card)?;
+                    model.properties.push(property);
+                    model.told.extend(told);
+                }
                 "MAT1" => model.materials.push(isotropic(&card)?),
                 "SPC1" => {
                     let constraint = constraint_of_list(&card)?;
@@ -38,17 +51,19 @@ impl BeamModel {
                 }
                 "SPC" => model.constraints.extend(constraints_of_pairs(&card)?),
                 name if WITHOUT_EFFECT.contains(&name) => {}
-                name => {
-                    let expected = match name {
-                        "INCLUDE" => "the cards themselves: one file holds the model",
-                        "CBEAM" | "CROD" | "CONROD" | "CBEND" => "CBAR: other line elements are not read",
-                        "PBARL" | "PBEAM" | "PBEAML" => "PBAR, the properties of the section as numbers",
-                        "MAT2" | "MAT8" | "MAT9" => "MAT1, an isotropic material",
-                        _ => "GRID, CBAR, PBAR, MAT1, SPC1 or SPC; loads and PARAM are passed over",
-                    };
-                    return Err(CardError::new(card.line, format!("a card {name}"), expected));
+                "INCLUDE" => {
+                    let expected = "the cards themselves: one file holds the model";
+                    return Err(CardError::new(card.line, "a card INCLUDE", expected));
                 }
+                name => *passed_over.entry(name.to_string()).or_insert(0) += 1,
             }
+        }
+        if !passed_over.is_empty() {
+            let cards: Vec<String> = passed_over.iter().map(|(name, count)| format!("{count} {name}")).collect();
+            model.told.push(format!(
+                "cards that make no beam are left out, with their mass and stiffness: {}",
+                cards.join(", ")
+            ));
         }
         let grids = model.grids.iter().map(|card| (card.id, card.line));
         unique("GRID", grids)?;
@@ -61,7 +76,7 @@ impl BeamModel {
 
 /// Each number once.
 fn unique(name: &str, cards: impl Iterator<Item = (i64, usize)>) -> Result<(), CardError> {
-    let mut seen = std::collections::BTreeMap::new();
+    let mut seen = BTreeMap::new();
     for (id, line) in cards {
         if let Some(first) = seen.insert(id, line) {
             let expected = format!("another number than that of line {first}");
@@ -71,11 +86,20 @@ fn unique(name: &str, cards: impl Iterator<Item = (i64, usize)>) -> Result<(), C
     Ok(())
 }
 
-fn grid(card: &Card) -> Result<Grid, CardError> {
+/// GRDSET: the components that all grid points without their own are held in.
+fn usual_of_grids(card: &Card) -> Result<String, CardError> {
+    card.unused(1..2, "CP", "nothing or 0: coordinates of the basic system")?;
+    card.unused(5..6, "CD", "nothing or 0: displacements in the basic system")?;
+    Ok(components(card, 6, "PS")?.unwrap_or_default())
+}
+
+fn grid(card: &Card, usual: &str) -> Result<Grid, CardError> {
     card.unused(1..2, "CP", "nothing or 0: coordinates of the basic system")?;
     card.unused(5..6, "CD", "nothing or 0: displacements in the basic system")?;
     let at = |k: usize, name: &str| Ok(card.real(k, name)?.unwrap_or(0.0));
-    let held = components(card, 6, "PS")?.unwrap_or_default();
+    // 0 is none, also beside GRDSET
+    let own = components(card, 6, "PS")?;
+    let held = own.unwrap_or_else(|| if card.text(6).is_empty() { usual.to_string() } else { String::new() });
     Ok(Grid { id: card.id(0, "ID")?, at: [at(2, "X1")?, at(3, "X2")?, at(4, "X3")?], held, line: card.line })
 }
 
@@ -212,6 +236,24 @@ mod tests {
         assert!((model.materials[0].shear_modulus / (7e10 / 2.6) - 1.0).abs() < 1e-15);
         assert_eq!(model.materials[0].allowable_stress, Some(2e8));
         assert_eq!(model.constraints[0].grids, [1]);
+    }
+
+    /// A deck as programs write it: GRDSET, CBEAM, a section by its shape, comments in the tenth field, cards that make no beam.
+    #[test]
+    fn a_deck_of_another_program_is_read() {
+        let deck = "SOL 101\nCEND\nBEGIN BULK\nGRDSET                                                       345\n\
+            GRID           1              0.      0.      0.                        nodes, 1\n\
+            GRID           2              1.      0.      0.               0\n\
+            CBEAM          1       1       1       2      0.      1.      0.         EID 1\n\
+            PBARL          1       1             BOX                                +\n\
+            +            .04     .06    .003    .002\n\
+            MAT1           1  7.+10              .33   2700.                        alu\n\
+            CONM2          9       1               2.\nRBE2           8       1     123       2\nSET1           1       1       2\nENDDATA\n";
+        let model = BeamModel::read(deck).expect("a deck");
+        assert_eq!((model.bars.len(), model.properties.len(), model.materials.len()), (1, 1, 1));
+        assert_eq!([&model.grids[0].held, &model.grids[1].held], ["345", ""]);
+        assert!(model.told[0].ends_with("1 CONM2, 1 RBE2, 1 SET1"), "{:?}", model.told);
+        assert!(BeamModel::read("INCLUDE 'other.bdf'\n").is_err());
     }
 
     #[test]

@@ -38,6 +38,7 @@ pub(crate) use run_view::{LOADS, load_names};
 pub use series::Series;
 pub(crate) use similarity::FROM as SIMILARITY_FROM;
 pub use similarity::{SimilarityResult, SimilarityWindow};
+pub(crate) use waves::unlikely_waves;
 pub use waves::{WaveGauge, Waves};
 
 /// What an observer sees.

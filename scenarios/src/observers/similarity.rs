@@ -69,6 +69,13 @@ pub struct SimilarityResult {
     pub profile: Vec<[f64; 2]>,
 }
 
+impl SimilarityResult {
+    /// Why the largest pressure is not resolved.
+    pub(crate) fn doubt(&self) -> Option<String> {
+        self.cp_max_unresolved.as_ref().map(|why| format!("similarity.cp_max: {why}"))
+    }
+}
+
 /// A sample of the window.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 struct Sample {

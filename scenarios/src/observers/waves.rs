@@ -6,7 +6,7 @@ use fsi_coupling::waves::separation::{Amplitude, separate};
 use serde::Serialize;
 
 use super::series::Series;
-use crate::scene::{Scene, full_waves_by};
+use crate::scene::{Scene, full_waves_by, significant, waves_end_early};
 
 /// Periods at the end of the run over which harmonics are taken.
 const PERIODS: f64 = 4.0;
@@ -47,6 +47,27 @@ pub struct WaveGauge {
     pub height_m: f64,
     /// The same over that asked for [-].
     pub height_ratio: f64,
+}
+
+/// Growth of a regular wave in a wavelength from which its height is doubted [-].
+const GROWS: f64 = 0.01;
+
+/// Why the waves of a run are unlikely: it ended early, or they grow on their way, which nothing makes them do.
+pub(crate) fn unlikely_waves(scene: &Scene, series: &Series) -> Vec<String> {
+    let early = waves_end_early(scene).map(|why| format!("waves: {why}"));
+    early.into_iter().chain(series.waves(scene).and_then(|waves| waves.grow())).collect()
+}
+
+impl Waves {
+    /// That they grow on their way.
+    fn grow(&self) -> Option<String> {
+        let growth = self.decay_per_length.map(|decay| -decay).filter(|growth| *growth > GROWS)?;
+        Some(format!(
+            "waves: their height grows by {} % in a wavelength along the gauges, and regular waves lose height: waves that come back, a gauge on \
+             the beach or too short a run may be why",
+            significant(100.0 * growth)
+        ))
+    }
 }
 
 impl Series {
@@ -138,6 +159,24 @@ fn first_harmonic(curve: &[[f64; 2]], omega: f64) -> Option<Amplitude> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn waves_that_grow_on_their_way_are_told() {
+        let told = |decay: f64| {
+            let waves = Waves {
+                height_m: 0.02,
+                period_s: 1.0,
+                length_m: 1.5,
+                stroke_m: 0.02,
+                gauges: Vec::new(),
+                phase_speed_ratio: None,
+                decay_per_length: Some(decay),
+                reflection: None,
+            };
+            waves.grow().is_some_and(|why| why.contains("grows by 5 %"))
+        };
+        assert!(told(-0.05) && !told(0.05) && !told(-0.005));
+    }
 
     /// A wave with a mean and a second harmonic: amplitude and phase of the first are found.
     #[test]

@@ -19,10 +19,10 @@ use crate::error_bar::ErrorBars;
 use crate::log::{Level, Logged};
 use crate::observers::{
     ForceRules, Frame, GaugeReader, GaugeResult, History, LiveObserver, LogObserver, ObserveError, Observer, Series,
-    SimilarityWindow, WorstPenetration, body_values,
+    SimilarityResult, SimilarityWindow, WorstPenetration, body_values, unlikely_waves,
 };
 use crate::results::{ResultsObserver, Verdict};
-use crate::scene::{Scene, known_compressibility_error, thesis_work, waves_end_early};
+use crate::scene::{Scene, known_compressibility_error, thesis_work};
 
 /// Means are taken over the run from this share of it on.
 const LATE: f64 = 0.8;
@@ -264,8 +264,7 @@ impl Recorder {
         let (results, mut doubts) = self.results.results(scene, system);
         let acceleration_filtered =
             scene.report.acceleration_cfc.and_then(|class| self.results.filtered(class, &results));
-        let unresolved = similarity.iter().filter_map(|s| s.cp_max_unresolved.as_ref());
-        doubts.extend(unresolved.map(|why| format!("similarity.cp_max: {why}")));
+        doubts.extend(similarity.as_ref().and_then(SimilarityResult::doubt));
         let audit = Audit {
             momentum: system.momentum_audit().worst,
             energy: system.energy_drift() / self.history.scale(),
@@ -278,9 +277,9 @@ impl Recorder {
             stopped_at_plate: Some(system.stopped()).filter(|&stopped| stopped > 0),
         };
         let results = results.with_work_lost(audit.loses_work());
-        let early = waves_end_early(scene).map(|why| format!("waves: {why}"));
-        doubts.extend(audit.doubts().into_iter().chain(early));
-        doubts.extend(super::panel::rupture_doubt(system, &results).into_iter().chain(self.host_doubt.clone()));
+        let of_waves = unlikely_waves(scene, &self.series);
+        let others = super::panel::rupture_doubt(system, &results).into_iter().chain(self.host_doubt.clone());
+        doubts.extend(audit.doubts().into_iter().chain(of_waves).chain(others));
         let order = particle_order(fluid.particles());
         doubts.extend(order.and_then(|order| order.doubt(fluid.domain().fluid.kernel)));
         let compressibility = self.compressibility(scene);

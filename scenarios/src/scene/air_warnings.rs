@@ -17,7 +17,12 @@ const LEAST_MASS: f64 = 0.5;
 impl Scene {
     /// True where water is as soft as the air under the flat bottom that meets it (THEORY WC27).
     pub fn is_cushioned(&self, entry: &Entry) -> bool {
-        if self.is_light(entry) {
+        self.body.as_ref().is_some_and(|body| self.is_cushioned_by(body, entry))
+    }
+
+    /// The same under any body.
+    pub(super) fn is_cushioned_by(&self, body: &Body, entry: &Entry) -> bool {
+        if self.is_light(body, entry) {
             return false;
         }
         let wanted = self.cushion_sound_speed(entry);
@@ -32,9 +37,9 @@ impl Scene {
     }
 
     /// True for a free body lighter than half of the water that moves with its flat bottom, (π/2)ρb²: Chuang's plate was heavy.
-    fn is_light(&self, entry: &Entry) -> bool {
+    fn is_light(&self, body: &Body, entry: &Entry) -> bool {
         let added = |half_breadth: f64| FRAC_PI_2 * self.water().density * half_breadth.powi(2);
-        let Some(Body { motion: Motion::Free(freedom), .. }) = &self.body else { return false };
+        let Motion::Free(freedom) = &body.motion else { return false };
         entry.cushion.is_some_and(|air| freedom.mass < LEAST_MASS * added(air.half_breadth))
     }
 }
@@ -62,7 +67,7 @@ pub(super) fn vapour(scene: &Scene, entry: &Entry) -> Option<String> {
 }
 
 /// What becomes of the peak under a flat bottom.
-pub(super) fn flat_contact(scene: &Scene, entry: &Entry) -> Option<String> {
+pub(super) fn flat_contact(scene: &Scene, body: &Body, entry: &Entry) -> Option<String> {
     if !entry.is_flat() {
         return None;
     }
@@ -73,7 +78,7 @@ pub(super) fn flat_contact(scene: &Scene, entry: &Entry) -> Option<String> {
         significant(1e3 * air.duration())
     );
     let spacings = air.half_breadth / scene.resolution.spacing;
-    if scene.is_cushioned(entry) {
+    if scene.is_cushioned_by(body, entry) {
         return (spacings < LEAST_HALF_BREADTH).then(|| {
             format!(
                 "{bounded}: {} spacings across half the breadth, {LEAST_HALF_BREADTH} are needed: {} m would do for resolution.spacing",
@@ -83,7 +88,7 @@ pub(super) fn flat_contact(scene: &Scene, entry: &Entry) -> Option<String> {
         });
     }
     let cure = match scene.cushion_sound_speed(entry) {
-        _ if scene.is_light(entry) => {
+        _ if scene.is_light(body, entry) => {
             "the body is lighter than half of the water that moves with it; use results.impulse_N_s_per_m".to_string()
         }
         None => "the body is too fast for water that is as soft; use results.impulse_N_s_per_m".to_string(),

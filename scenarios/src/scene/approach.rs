@@ -17,11 +17,14 @@ pub const LEAST_GAP: f64 = 2.0;
 /// A body starts at most so far above the water [spacings].
 const HIGHEST: f64 = 1000.0;
 
+/// A speed at the start that is 0 but for rounding [m/s].
+const ROUNDING: f64 = 1e-9;
+
 /// When the run of a body starts that is at its place at t = 0 [s]: at the start of its approach, or at 0 where it has none.
 ///
 /// It falls through 2 Δx from there to t = 0, if it is free under gravity g [m/s²] too:
 /// V T − g T²/2 = 2 Δx, or from rest where it is so slow that it cannot, T = V/g.
-pub(super) fn automatic_start(body: &Body, entry: &Entry, solver: Solver, gravity: [f64; 2], spacing: f64) -> f64 {
+fn automatic_start(body: &Body, entry: &Entry, solver: Solver, gravity: [f64; 2], spacing: f64) -> f64 {
     let gap = -body.draught() / spacing;
     let speed = -body.velocity[1];
     if obstacle(body, Some(entry), solver).is_some()
@@ -40,27 +43,46 @@ pub(super) fn automatic_start(body: &Body, entry: &Entry, solver: Solver, gravit
     -(speed - before.max(0.0).sqrt()) / pull
 }
 
-/// Refuses a start before t = 0 where a body cannot be carried back to it, or would not come down through the air from there.
+/// When the run of all bodies starts [s]: with the earliest of those that fly in; at 0 where another body cannot be carried back so far.
+pub(super) fn earliest_start(
+    bodies: &[(&Body, Option<Entry>)],
+    solver: Solver,
+    gravity: [f64; 2],
+    spacing: f64,
+) -> f64 {
+    let start =
+        |(body, entry): &(&Body, Option<Entry>)| Some(automatic_start(body, entry.as_ref()?, solver, gravity, spacing));
+    let earliest = bodies.iter().filter_map(start).fold(0.0, f64::min);
+    if check_start(earliest, bodies, solver, gravity, spacing).is_ok() { earliest } else { 0.0 }
+}
+
+/// Refuses a start before t = 0 where a body that is not fixed cannot be carried back to it, or would not come down through the air from there.
 pub(super) fn check_start(
     start: f64,
-    body: Option<(&Body, Option<&Entry>)>,
+    bodies: &[(&Body, Option<Entry>)],
     solver: Solver,
     gravity: [f64; 2],
     spacing: f64,
 ) -> Result<(), Problem> {
     require(start <= 0.0, "time.start", start, "at most 0 s")?;
-    let obstacle = body.map_or(Some("0 in a scene without a body"), |(body, entry)| obstacle(body, entry, solver));
-    require(start == 0.0 || obstacle.is_none(), "time.start", start, obstacle.unwrap_or_default())?;
-    let Some((body, _)) = body.filter(|_| start < 0.0) else { return Ok(()) };
-    let pull = pull_on(body, gravity)[1];
-    let (speed, height) = (-body.velocity[1] - start * pull, start * (body.velocity[1] + 0.5 * start * pull));
-    let gap = (height - body.draught()) / spacing + STANDOFF;
-    let expected = format!(
-        "a time at which the body comes down, 0 to {HIGHEST} spacings above the water: it would be {} spacings above, at {} m/s downwards",
-        significant(gap),
-        significant(speed)
-    );
-    require(speed >= 0.0 && (0.0..=HIGHEST).contains(&gap), "time.start", start, expected)
+    if start == 0.0 {
+        return Ok(());
+    }
+    require(!bodies.is_empty(), "time.start", start, "0 in a scene without a body")?;
+    let moving = bodies.iter().filter(|(body, _)| bodies.len() == 1 || body.motion != Motion::Fixed);
+    moving.into_iter().try_for_each(|(body, entry)| {
+        let obstacle = obstacle(body, entry.as_ref(), solver);
+        require(obstacle.is_none(), "time.start", start, obstacle.unwrap_or_default())?;
+        let pull = pull_on(body, gravity)[1];
+        let (speed, height) = (-body.velocity[1] - start * pull, start * (body.velocity[1] + 0.5 * start * pull));
+        let gap = (height - body.draught()) / spacing + STANDOFF;
+        let expected = format!(
+            "a time at which the body comes down, 0 to {HIGHEST} spacings above the water: it would be {} spacings above, at {} m/s downwards",
+            significant(gap),
+            significant(speed)
+        );
+        require(speed >= -ROUNDING && (0.0..=HIGHEST).contains(&gap), "time.start", start, expected)
+    })
 }
 
 /// Why a body has no approach: what is expected of `time.start` instead.
@@ -93,7 +115,7 @@ impl Scene {
             ..RigidMotion::default()
         };
         let (t, pull) = (self.time.start, pull_on(body, self.gravity));
-        if t == 0.0 {
+        if t == 0.0 || body.motion == Motion::Fixed {
             return at_zero;
         }
         let lift = [0.0, STANDOFF * self.resolution.spacing];

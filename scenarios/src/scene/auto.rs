@@ -54,31 +54,18 @@ impl Scene {
     /// g D/V² of the entry, what gravity adds to its flow [-]: D at the end, or where the chines of a falling body get wet; V at contact.
     /// `None` without an entry.
     pub fn gain_of_gravity(&self) -> Option<f64> {
-        let entry = self.entry()?;
-        let falls = self.body.as_ref().is_some_and(Body::is_free);
-        let draught = if falls { entry.attached_draught() } else { entry.final_draught.max(0.0) };
-        Some(self.gravity[0].hypot(self.gravity[1]) * draught / entry.speed.powi(2))
+        Some(self.gained_by(self.body.as_ref()?, &self.entry()?))
+    }
+
+    /// The same of any body.
+    pub(super) fn gained_by(&self, body: &Body, entry: &Entry) -> f64 {
+        let draught = if body.is_free() { entry.attached_draught() } else { entry.final_draught.max(0.0) };
+        self.gravity[0].hypot(self.gravity[1]) * draught / entry.speed.powi(2)
     }
 
     /// Level water from wall to wall: what still rows bear is known.
     pub(crate) fn starts_level(&self) -> bool {
         self.tank.is_full() && self.tank.surface().is_none() && self.gravity[0] == 0.0
-    }
-
-    /// How the body meets the water; `None` where no body falls or moves down into it.
-    pub fn entry(&self) -> Option<Entry> {
-        if !self.bodies.is_empty() || !self.joints.is_empty() {
-            return None; // links change how it moves
-        }
-        Entry::of(self.body.as_ref()?, self.gravity, self.water().density, self.time.end, self.resolution.spacing)
-    }
-
-    /// Fastest speed of the flow that is known before the run [m/s].
-    pub fn fastest_speed(&self) -> f64 {
-        let entry = self.entry();
-        let of_others = self.bodies.iter().map(|body| fastest_speed(None, Some(body), self.gravity, None));
-        let first = fastest_speed(entry.as_ref(), self.body.as_ref(), self.gravity, Some(&self.tank));
-        of_others.fold(first, f64::max) + self.tank.block_speed()
     }
 
     /// Speed by which the steps of a projection are limited before anything moves [m/s]: the fastest that is known, but for
@@ -87,9 +74,16 @@ impl Scene {
         const ROOT_OVER_BODY: f64 = 4.0;
         let fastest = self.fastest_speed();
         // water leaves the edges of a flat bottom as fast as the root of a spray
-        let of_entry =
-            |entry: Entry| fastest.max(entry.bottom.root_speed(entry.attached_speed)).min(ROOT_OVER_BODY * entry.speed);
-        self.entry().map_or(fastest, of_entry)
+        let of_entry = |entry: &Entry| {
+            fastest.max(entry.bottom.root_speed(entry.attached_speed)).min(ROOT_OVER_BODY * entry.speed)
+        };
+        let entries = self.entries();
+        if entries.is_empty() {
+            return fastest;
+        }
+        let stays = |body: &&Body| entries.iter().all(|(own, _)| !std::ptr::eq(*own, *body));
+        let of_others = self.all_bodies().filter(stays).map(Body::fastest_point);
+        entries.iter().map(|(_, entry)| of_entry(entry)).chain(of_others).fold(0.0, f64::max)
     }
 }
 
@@ -97,11 +91,16 @@ impl Scene {
 ///
 /// U is the spray root's speed [m/s] and M(ε) the Mach number at which compressibility costs the admitted share ε of
 /// the force; without an impact only the fastest known speed u [m/s] counts. `still` bears the water's weight. Under a flat bottom
-/// U/M(ε) is replaced by the speed at which water is as soft as the trapped air (THEORY WC27).
-pub fn auto_sound_speed(water: &Water, entry: Option<&Entry>, fastest: f64, still: f64) -> f64 {
+/// U/M(ε) is replaced by the speed at which water is as soft as the trapped air (THEORY WC27). Of several entries the largest.
+pub fn auto_sound_speed<'a>(
+    water: &Water,
+    entries: impl IntoIterator<Item = &'a Entry>,
+    fastest: f64,
+    still: f64,
+) -> f64 {
     let of_root = |entry: &Entry| sound_speed_for(water.compressibility_error, entry.root_speed());
     let of_air = |entry: &Entry| entry.cushion_sound_speed(water.fluid.density);
-    let impact = entry.map_or(0.0, |entry| of_air(entry).unwrap_or_else(|| of_root(entry)));
+    let impact = entries.into_iter().map(|entry| of_air(entry).unwrap_or_else(|| of_root(entry))).fold(0.0, f64::max);
     impact.max(LEAST_SOUND_RATIO * fastest).max(still).min(WATER_SOUND)
 }
 

@@ -81,7 +81,7 @@ pub(super) fn check_step(scene: &Scene) -> Result<(), Problem> {
 /// tank (THEORY WC17).
 fn check_weight(scene: &Scene, exponent: f64) -> Result<(), Problem> {
     let depth = scene.tank.depth;
-    let least = scene.entry().map(|_| hydrostatic_sound(scene.gravity, depth)[1]);
+    let least = (!scene.entries().is_empty()).then(|| hydrostatic_sound(scene.gravity, depth)[1]);
     let stiffness = exponent / (DENSEST.powf(exponent) - 1.0);
     let least = least.unwrap_or((stiffness * scene.gravity[1].abs() * depth).sqrt());
     let (sound, limit, depth) = (scene.sound_speed(), significant(least), significant(depth));
@@ -317,6 +317,7 @@ fn check_wedge_similarity(scene: &Scene) -> Result<(), Problem> {
         require(holds, "similarity", format_args!("\"wedge\" {given}"), expected)
     };
     let Some(body) = &scene.body else { return has(false, "without a body".into(), "a wedge") };
+    has(scene.bodies.is_empty() && scene.joints.is_empty(), "beside other bodies or joints".into(), "a wedge alone")?;
     let wedge = matches!(body.shape, Shape::Wedge { .. });
     has(wedge, format!("with shape = \"{}\"", body.shape.name()), "shape = \"wedge\"")?;
     let steady = body.motion == Motion::ConstantVelocity;

@@ -21,9 +21,10 @@ pub struct ExchangeRatio {
 }
 
 impl ExchangeRatio {
-    /// Of a scene's first body at t = 0.
+    /// Of a scene's bodies at t = 0 the one with the largest.
     pub fn of(scene: &Scene) -> Option<ExchangeRatio> {
-        ExchangeRatio::of_body(scene, scene.body.as_ref()?)
+        let all = scene.all_bodies().filter_map(|body| ExchangeRatio::of_body(scene, body));
+        all.reduce(|a, b| if b.spectral_radius() > a.spectral_radius() { b } else { a })
     }
 
     /// Of a body of a scene at t = 0.

@@ -3,9 +3,10 @@
 use fsi_coupling::settings::significant;
 use sph_core::Solver;
 
+use super::impact::Entry;
 use super::legacy::{extrapolates, repulsive_walls};
 use super::narrow_gaps::gap_limit;
-use super::settings::{Motion, Scene};
+use super::settings::{Body, Motion, Scene};
 
 /// Largest g D/V² of a body at a given speed in graded, incompressible water, of its draught D at the end [-].
 const LARGEST_GAIN: f64 = 0.3;
@@ -24,22 +25,26 @@ pub(crate) fn presses_on_walls(scene: &Scene) -> bool {
     of_options && scene.solver.kind() != Solver::IncompressibleThesis
 }
 
-/// Repulsive points push each particle that comes near: a wedge of 30 degrees had five times its force.
+/// Repulsive points push each particle that comes near, by contact impulses that no force shows: a wedge of 30 degrees had a third of its force.
 fn pushed(scene: &Scene) -> Option<String> {
     let fluid = scene.solver.weakly_compressible()?;
     repulsive_walls(&fluid.options)
-        .then(|| "fluid.walls = \"repulsive\": the force of an impact is up to five times too large".to_string())
+        .then(|| "fluid.walls = \"repulsive\": the force of an impact is up to 70 % too low, for these walls push by contact impulses".to_string())
 }
 
 /// Graded, incompressible water that does not start level sinks in its coarse rows (THEORY PR18), under a body that is slow beside what
 /// gravity adds.
 fn sinking(scene: &Scene) -> Option<String> {
-    let given = matches!(scene.body.as_ref()?.motion, Motion::ConstantVelocity | Motion::Tabulated(_));
-    let gained = scene.gain_of_gravity()?;
     let graded = scene.resolution.growth > 1.0 && scene.solver.is_incompressible() && !scene.starts_level();
-    (given && graded && gained > LARGEST_GAIN).then(|| {
+    let entries = scene.entries();
+    let sinks = |(body, entry): &&(&Body, Entry)| {
+        let given = matches!(body.motion, Motion::ConstantVelocity | Motion::Tabulated(_));
+        given && graded && scene.gained_by(body, entry) > LARGEST_GAIN
+    };
+    entries.iter().find(sinks).map(|(body, entry)| {
+        let (about, gained) = (scene.about(body), scene.gained_by(body, entry));
         format!(
-            "graded incompressible water that does not start level sinks while the body goes down: g D/V^2 is {} at the end, and above {LARGEST_GAIN} the \
+            "{about}graded incompressible water that does not start level sinks while the body goes down: g D/V^2 is {} at the end, and above {LARGEST_GAIN} the \
              force was 6 to 20 % low; set solver = \"weakly_compressible\", or tank.width and tank.depth to 4 breadths",
             significant(gained)
         )
@@ -47,14 +52,19 @@ fn sinking(scene: &Scene) -> Option<String> {
 }
 
 fn outside_fine_zone(scene: &Scene) -> Option<String> {
-    let entry = scene.entry().filter(|entry| entry.final_draught > 0.0)?;
-    let (root, half) = (entry.bottom.wetted_half_width(entry.attached_draught()), scene.resolution.fine_zone[0]);
-    (scene.resolution.growth > 1.0 && half < root).then(|| {
+    let (entries, middle) = (scene.entries(), scene.fine_zone_center());
+    let leaves = |(body, entry): &(&Body, Entry)| {
+        let root = entry.bottom.wetted_half_width(entry.attached_draught());
+        let half = scene.resolution.fine_zone[0] - (body.middle() - middle).abs();
+        (entry.final_draught > 0.0 && scene.resolution.growth > 1.0 && half < root)
+            .then(|| (scene.about(body), root, half))
+    };
+    entries.iter().find_map(leaves).map(|(about, root, half)| {
         format!(
-            "the spray root goes out to {} m and leaves the fine zone, {} m wide on each side (resolution.fine_zone): the peak may be \
+            "{about}the spray root goes out to {} m and leaves the fine zone, {} m wide on each side (resolution.fine_zone): the peak may be \
              off by half",
             significant(root),
-            significant(half)
+            significant(half.max(0.0))
         )
     })
 }
@@ -69,7 +79,10 @@ mod tests {
         let limit = |set: &str| limit_of_forces(&load("wedge", &[set.to_string()]).expect("a scene").scene);
         assert_eq!(limit("resolution.spacing=0.006"), None);
         #[cfg(feature = "legacy")]
-        assert!(limit("fluid.walls=repulsive").is_some_and(|why| why.contains("fluid.walls")));
+        assert!(
+            limit("fluid.walls=repulsive")
+                .is_some_and(|why| why.contains("fluid.walls") && why.contains("70 % too low"))
+        );
         assert!(limit("resolution.fine_zone=[0.03, 0.03]").is_some_and(|why| why.contains("resolution.fine_zone")));
     }
 

@@ -2,7 +2,7 @@
 
 use super::bottom::Bottom;
 use super::impact::Entry;
-use super::settings::{Gauge, GaugeFrame, Scene};
+use super::settings::{Gauge, GaugeFrame, Scene, Symmetry};
 use fsi_coupling::settings::significant;
 
 /// A gauge so near to the floor, at the foot of a wall, reads too much where weakly compressible water arrives [spacings].
@@ -53,9 +53,26 @@ fn feet_of_walls(scene: &Scene) -> Vec<String> {
     scene.gauges.iter().filter(at_foot).map(told).collect()
 }
 
+/// Gauges and levels in the water that a beach damps (THEORY WA15).
+fn on_beach(scene: &Scene) -> Vec<String> {
+    let Some(beach) = scene.beach() else { return Vec::new() };
+    let both = scene.symmetry == Symmetry::X;
+    let is_damped = |x: f64| if both { x.abs() > beach.from } else { x > beach.from };
+    let told = |what: String| {
+        format!(
+            "{what} is on the beach, from x = {} m on, where the water is braked: it shows no wave of the tank",
+            significant(beach.from)
+        )
+    };
+    let gauges = scene.gauges.iter().filter(|gauge| gauge.on == GaugeFrame::Fixed && is_damped(gauge.at[0]));
+    let levels = scene.observe.level.iter().enumerate().filter(|(_, x)| is_damped(**x));
+    let gauges = gauges.map(|gauge| told(format!("gauge `{}`", gauge.name)));
+    gauges.chain(levels.map(|(k, x)| told(format!("observe.level[{k}] = {x} m")))).collect()
+}
+
 /// Warnings about what gauges read wrongly.
 pub(super) fn gauge_warnings(scene: &Scene) -> Vec<String> {
-    early_arrivals(scene).into_iter().chain(feet_of_walls(scene)).collect()
+    [early_arrivals(scene), feet_of_walls(scene), on_beach(scene)].concat()
 }
 
 #[cfg(test)]
@@ -72,6 +89,21 @@ mod tests {
         let slope = 30.0_f64.to_radians().tan();
         assert!(told(&format!("[0.3, {}]", 0.3 * slope)));
         assert!(!told(&format!("[2.0, {}]", 2.0 * slope)));
+    }
+
+    /// The beach of `wave_maker` begins its length before the right wall.
+    #[test]
+    fn a_gauge_on_the_beach_is_told() {
+        let scene = load("wave_maker", &[]).expect("a scene").scene;
+        let from = scene.beach().expect("a beach").from;
+        let told = |x: f64| {
+            let sets =
+                [format!("gauges=[{{ name = 'g', on = 'fixed', at = [{x}, -0.05] }}]"), format!("observe.level=[{x}]")];
+            let warnings = load("wave_maker", &sets).expect("a scene").warnings;
+            ["gauge `g` is on the beach", "observe.level[0]"].map(|words| warnings.iter().any(|w| w.contains(words)))
+        };
+        assert_eq!(told(from + 0.1), [true, true]);
+        assert_eq!(told(from - 0.1), [false, false]);
     }
 
     #[test]

@@ -3,7 +3,8 @@
 use fsi_coupling::settings::{Problem, require, significant};
 use sph_core::Solver;
 
-use super::settings::{CouplingScheme, Motion, Scene, SolverSettings};
+use super::impact::Entry;
+use super::settings::{Body, CouplingScheme, Scene, SolverSettings};
 use super::wet_period::unresolved_panels;
 
 /// Share of its smoothing length that a particle may move in a step, where the scene does not say.
@@ -70,8 +71,7 @@ pub(super) fn projection_warnings(scene: &Scene) -> Vec<String> {
 
 /// A body that moves with the water, told of it once a step.
 fn one_exchange(scene: &Scene) -> Option<String> {
-    let body = scene.body.as_ref()?;
-    let moved = body.bends() || matches!(body.motion, Motion::Free(_));
+    let moved = scene.all_bodies().any(|body| body.bends() || body.is_free());
     let (name, holds) = match scene.solver.kind() {
         Solver::Incompressible => ("incompressible", "\"added_mass\" holds at any mass"),
         solver => (solver.name(), "\"iqn_ils\" repeats the step until both agree"),
@@ -87,7 +87,9 @@ fn one_exchange(scene: &Scene) -> Option<String> {
 /// The sides of a round bottom, which water leaves.
 fn round_sides(scene: &Scene) -> Option<String> {
     let SolverSettings::Incompressible { fluid, .. } = &scene.solver else { return None };
-    let deep = scene.entry().filter(|entry| entry.leaves_its_sides())?.final_draught;
+    let entries = scene.entries();
+    let round = entries.iter().filter(|(_, entry)| entry.leaves_its_sides());
+    let deep = round.map(|(_, entry)| entry.final_draught).reduce(f64::max)?;
     (!fluid.scheme.ventilation).then(|| {
         format!(
             "the round bottom comes to a draught of {} m; deeper than 0.15 radii water leaves its sides, and clings to them here: the force \
@@ -100,10 +102,13 @@ fn round_sides(scene: &Scene) -> Option<String> {
 
 /// Walls that an impact feels.
 fn near_walls(scene: &Scene) -> Option<String> {
-    let draught = scene.entry()?.final_draught;
-    let beside = 0.5 * scene.tank.width - scene.fine_zone_center().abs();
-    let reach = beside.min(scene.tank.depth);
-    (draught > 0.0 && reach < REACH * draught).then(|| {
+    let entries = scene.entries();
+    let near = |(body, entry): &(&Body, Entry)| {
+        let reach = (0.5 * scene.tank.width - body.middle().abs()).min(scene.tank.depth);
+        (reach, entry.final_draught)
+    };
+    let felt = entries.iter().map(near).filter(|(reach, draught)| *draught > 0.0 && *reach < REACH * draught);
+    felt.max_by(|a, b| (a.1 / a.0).total_cmp(&(b.1 / b.0))).map(|(reach, draught)| {
         format!(
             "the tank's walls are {} draughts away at the end: incompressible water answers at once, which took 6 % of a \
              wedge's force at 10 draughts and 18 % at 5; {} m would keep it out",

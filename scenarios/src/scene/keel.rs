@@ -1,6 +1,6 @@
 //! What is doubtful beside the keel of a steep wedge.
 
-use super::settings::{Gauge, GaugeFrame, Scene};
+use super::settings::{Body, Gauge, GaugeFrame, Scene};
 use crate::observers::KeelLaw;
 use fsi_coupling::Shape;
 use fsi_coupling::settings::significant;
@@ -10,9 +10,12 @@ const STEEP_DEG: f64 = 65.0;
 
 /// Warnings about the keel's pressure, and about the force on a wedge whose tip is thinner than the kernel's support.
 pub fn keel_warnings(scene: &Scene) -> Vec<String> {
-    let Some(&Shape::Wedge { deadrise_deg, .. }) = scene.body.as_ref().map(|body| &body.shape) else {
-        return Vec::new();
-    };
+    scene.all_bodies().flat_map(|body| keel_warnings_of(scene, body)).collect()
+}
+
+fn keel_warnings_of(scene: &Scene, body: &Body) -> Vec<String> {
+    let Shape::Wedge { deadrise_deg, .. } = body.shape else { return Vec::new() };
+    let (about, first) = (scene.about(body), scene.body.as_ref() == Some(body)); // gauges are on the first
     let support = 2.0 * scene.water().smoothing_ratio * scene.resolution.spacing;
     if scene.model.is_theory() || KeelLaw::new(deadrise_deg.to_radians(), support).is_none() {
         return Vec::new();
@@ -28,11 +31,11 @@ pub fn keel_warnings(scene: &Scene) -> Vec<String> {
     };
     let thin = (deadrise_deg >= STEEP_DEG).then(|| {
         format!(
-            "the tip of a wedge of {deadrise_deg} degrees is thinner than the kernel: the force is too high, at 64 spacings of draught by \
+            "{about}the tip of a wedge of {deadrise_deg} degrees is thinner than the kernel: the force is too high, at 64 spacings of draught by \
              1 % (65 degrees) to 7 % (80), incompressible 2 to 23 %, at twice as many by half"
         )
     });
-    scene.gauges.iter().filter(at_keel).map(smoothed).chain(thin).collect()
+    scene.gauges.iter().filter(|gauge| first && at_keel(gauge)).map(smoothed).chain(thin).collect()
 }
 
 #[cfg(test)]

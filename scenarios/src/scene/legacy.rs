@@ -141,6 +141,12 @@ pub(super) fn check_coupling(options: &Options, iterated: bool) -> Result<(), Pr
     )
 }
 
+/// True for Verlet's leapfrog, whose mean force of a step alternates about that at its end (THEORY LE3): a panel that is told of both by an
+/// implicit exchange breaks within milliseconds.
+pub(super) fn leaps(options: &Options) -> bool {
+    options.integrator == Integrator::Verlet
+}
+
 /// Options beside which the fine zone cannot grow (THEORY WC21): what is expected instead of `true`.
 pub(super) fn obstacle_to_tracking(options: &Options) -> Option<&'static str> {
     if options.equation_of_state == EquationOfState::IdealGas {

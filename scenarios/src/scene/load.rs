@@ -21,13 +21,13 @@ use super::mistaken_file::Expected;
 use super::narrow_gaps::gap_warnings;
 use super::outline::OutlineReport;
 use super::plausible::implausible;
-use super::prepare::prepare;
+use super::prepare::{Prepared, prepare};
 use super::references::{drop_references, sets_of_the_flow};
 use super::resolve::resolve;
 use super::resolve_body::resolve_body;
-use super::resolve_links::has_links;
 use super::settings::{Body, GRAVITY, QuantityOfInterest, Scene, Symmetry, schema};
 use super::source::{Source, refuse_absurd_numbers};
+use super::spring_steps::check_spring_step;
 use super::warnings::warnings;
 use crate::charted::spacing_within;
 use crate::embedded::texts;
@@ -88,7 +88,7 @@ pub fn load_text(name: &str, text: &str, sets: &[String]) -> Result<Loaded, Scen
 fn loaded(source: Source, limits: Limits) -> Result<Loaded, SceneError> {
     let mut given = source.read()?;
     let written = given.clone();
-    let outline = prepare(&mut given, &source.name).map_err(|problem| {
+    let Prepared { outline, told } = prepare(&mut given, &source.name).map_err(|problem| {
         // a misspelt key may be why another is missing
         let misspelt = schema().check(&written).err().filter(|first| first.sentence.starts_with("unknown key"));
         source.error(misspelt.unwrap_or(problem))
@@ -99,8 +99,12 @@ fn loaded(source: Source, limits: Limits) -> Result<Loaded, SceneError> {
     let resolved = toml::Value::try_from(&scene).unwrap_or(toml::Value::Boolean(false));
     refuse_absurd_numbers("", &resolved).map_err(|problem| source.error(problem))?;
     let dropped = before(&source, &scene).and_then(|(before, key)| drop_references(&mut scene, before.as_ref(), &key));
-    let warnings =
-        dropped.into_iter().chain(ignored(&given, &scene)).chain(warnings_about(&scene, outline.as_ref())).collect();
+    let warnings = dropped
+        .into_iter()
+        .chain(told)
+        .chain(ignored(&given, &scene))
+        .chain(warnings_about(&scene, outline.as_ref()))
+        .collect();
     Ok(Loaded { warnings, scene, outline, source })
 }
 
@@ -230,6 +234,7 @@ fn sensible(draft: Draft, limits: Limits) -> Result<Scene, Problem> {
     if limits == Limits::Kept {
         check_step(&scene)?;
     }
+    check_spring_step(&scene)?;
     check(&scene)?;
     Ok(scene)
 }
@@ -343,7 +348,8 @@ fn with(given: &Value, key: &str, value: &str) -> Value {
 /// The entry of a draft's body, were there no end.
 fn entry_of(mut draft: Draft) -> Result<Option<(Body, Entry)>, Problem> {
     let symmetry = draft.get("symmetry").unwrap_or(Symmetry::None);
-    let Some(body) = resolve_body(&mut draft, symmetry)?.filter(|_| !has_links(&draft)) else { return Ok(None) };
+    let alone = draft.count("bodies") == 0 && draft.count("joints") == 0;
+    let Some(body) = resolve_body(&mut draft, symmetry)?.filter(|_| alone) else { return Ok(None) };
     let gravity = draft.get("gravity").unwrap_or_else(GRAVITY);
     let density = draft.get("fluid.density").unwrap_or(FluidSettings::default().density);
     let spacing = draft.get("resolution.spacing").unwrap_or(f64::INFINITY);

@@ -1,6 +1,6 @@
 //! `body.motion_file`: the motion of a body from a table over time.
 
-use fsi_coupling::settings::{Problem, require};
+use fsi_coupling::settings::{Problem, require, significant};
 use serde_json::{Value, json};
 
 use super::data_file::{DataFile, Fault, shortened};
@@ -15,11 +15,17 @@ const PLACES: [(&[&str], &str); 3] =
 const SPEEDS: [(&[&str], &str); 3] =
     [(&["vx", "u"], "m/s"), (&["vy", "v", "vz"], "m/s"), (&["omega", "angular", "spin", "rate"], "deg/s")];
 const TIMES: [&str; 2] = ["t", "time"];
+/// Names of accelerations, which the program finds itself.
+const ACCELERATIONS: [&str; 7] = ["ax", "ay", "az", "alpha", "acceleration", "accel", "acc"];
 
-/// Replaces `body.motion_file` by the rows of the table that it names, from the first row on.
-pub(super) fn settle(given: &mut Value, scene_file: &str) -> Result<(), Problem> {
-    let Some(body) = given.get_mut("body").and_then(Value::as_object_mut) else { return Ok(()) };
-    let Some(name) = body.get("motion_file").and_then(Value::as_str).map(str::to_string) else { return Ok(()) };
+/// Difference of a mean speed between two rows from the mean of the velocities at them, over the largest velocity, up to which places and
+/// velocities are one motion [-].
+const ONE_MOTION: f64 = 1e-3;
+
+/// Replaces `body.motion_file` by the rows of the table that it names, from the first row on; says which of its columns are left out.
+pub(super) fn settle(given: &mut Value, scene_file: &str) -> Result<Vec<String>, Problem> {
+    let Some(body) = given.get_mut("body").and_then(Value::as_object_mut) else { return Ok(Vec::new()) };
+    let Some(name) = body.get("motion_file").and_then(Value::as_str).map(str::to_string) else { return Ok(Vec::new()) };
     let beside = |key: &str| body.get(key).is_some();
     require(
         !beside("displacements") && !beside("displacement_rates"),
@@ -30,14 +36,18 @@ pub(super) fn settle(given: &mut Value, scene_file: &str) -> Result<(), Problem>
     let motion = body.get("motion").cloned().unwrap_or_else(|| json!("tabulated"));
     require(motion == "tabulated", KEY, format_args!("{name:?}"), "motion = \"tabulated\" beside it")?;
     let file = DataFile::read(scene_file, KEY, &name, KIND)?;
-    let (rows, rates) = rows(&file.text).map_err(|fault| file.problem(fault))?;
+    let Motion { rows, rates, left_out } = rows(&file.text).map_err(|fault| file.problem(fault))?;
     body.remove("motion_file");
     body.insert("motion".into(), motion);
     body.insert("displacements".into(), json!(rows));
     if !rates.is_empty() {
         body.insert("displacement_rates".into(), json!(rates));
     }
-    Ok(())
+    let told = (!left_out.is_empty()).then(|| {
+        let columns = left_out.join(", ");
+        format!("{KEY} {name:?}: the accelerations {columns} are not read: those of the body follow from places and velocities")
+    });
+    Ok(told.into_iter().collect())
 }
 
 /// Rows of time [s], displacement x, y [m] and rotation [deg] from the first row.
@@ -45,8 +55,66 @@ type Places = Vec<[f64; 4]>;
 /// Their rates [m/s, m/s, deg/s].
 type Rates = Vec<[f64; 3]>;
 
-/// The places of a table; and, if it gives a velocity, rates at all rows: those that it does not give are of parabolas.
-fn rows(text: &str) -> Result<(Places, Rates), Fault> {
+/// The motion of a table.
+#[derive(Debug)]
+struct Motion {
+    rows: Places,
+    /// If it gives a velocity, rates at all rows: those that it does not give are of parabolas.
+    rates: Rates,
+    /// Columns of accelerations.
+    left_out: Vec<String>,
+}
+
+/// Refuses two columns of one quantity.
+fn check_once(table: &NumberTable) -> Result<(), Fault> {
+    let quantities = PLACES.iter().chain(&SPEEDS).map(|(names, _)| *names).chain([&TIMES[..]]);
+    for names in quantities {
+        let found: Vec<&str> = table.names.iter().map(String::as_str).filter(|name| names.contains(name)).collect();
+        if let [first, second, ..] = found[..] {
+            let given = format!("two columns of one quantity, {first} and {second}");
+            return Err(Fault::new(table.header_line, given, "one column of each quantity"));
+        }
+    }
+    Ok(())
+}
+
+/// Refuses velocities that are not those of the places: between two rows the mean speed is the mean of both velocities but for what their
+/// change from row to row allows.
+fn check_one_motion(
+    table: &NumberTable,
+    times: &[f64],
+    values: &[f64],
+    speeds: &[f64],
+    names: [&str; 2],
+) -> Result<(), Fault> {
+    let largest = speeds.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
+    let bend = |k: usize| match k {
+        0 => 0.0,
+        k if k + 1 == speeds.len() => 0.0,
+        k => (speeds[k + 1] - 2.0 * speeds[k] + speeds[k - 1]).abs(),
+    };
+    for k in 0..times.len() - 1 {
+        let mean = (values[k + 1] - values[k]) / (times[k + 1] - times[k]);
+        let given = 0.5 * (speeds[k] + speeds[k + 1]);
+        if (mean - given).abs() > ONE_MOTION * largest + 0.5 * bend(k).max(bend(k + 1)) {
+            let [place, speed] = names;
+            let what = format!(
+                "since the row before {place} changes by {} a second and {speed} is {} in the mean, in SI units or degrees",
+                significant(mean),
+                significant(given)
+            );
+            return Err(Fault::new(
+                table.rows[k + 1].0,
+                what,
+                format!("velocities of the places: leave {place} or {speed} out, or correct its unit"),
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// The motion of a table.
+fn rows(text: &str) -> Result<Motion, Fault> {
     let table = NumberTable::parse(text)?;
     let last = table.rows.last().map_or(1, |(line, _)| *line);
     if table.rows.len() < 2 {
@@ -56,6 +124,7 @@ fn rows(text: &str) -> Result<(Places, Rates), Fault> {
         let expected = format!("{expected}{}", table.decimal_commas());
         Fault::new(table.header_line.max(1), format!("the columns {}", shortened(&table.names.join(", "))), expected)
     };
+    check_once(&table)?;
     let time = table.column(&TIMES).ok_or_else(|| head("a header that names a column of time, t or time"))?;
     let column = |names: &[&str], unit: &str| -> Result<Option<Vec<f64>>, Fault> {
         let Some(k) = table.column(names) else { return Ok(None) };
@@ -75,7 +144,12 @@ fn rows(text: &str) -> Result<(Places, Rates), Fault> {
     for (k, ((places, length), (speeds, speed))) in PLACES.iter().zip(SPEEDS).enumerate() {
         given[k] = column(speeds, speed)?;
         let values = match (column(places, length)?, &given[k]) {
-            (Some(values), _) => values.iter().map(|value| value - values[0]).collect(),
+            (Some(values), speeds_given) => {
+                let name = |names: &[&str]| table.column(names).map_or("", |k| table.names[k].as_str());
+                let names = [name(places), name(speeds)];
+                speeds_given.as_ref().map_or(Ok(()), |v| check_one_motion(&table, &times, &values, v, names))?;
+                values.iter().map(|value| value - values[0]).collect()
+            }
             (None, Some(speeds)) => integral(&times, speeds),
             (None, None) => continue,
         };
@@ -90,7 +164,8 @@ fn rows(text: &str) -> Result<(Places, Rates), Fault> {
         true => (0..motion.len()).map(|row| [0, 1, 2].map(|k| rate(row, k))).collect(),
         false => Rates::new(),
     };
-    Ok((motion, rates))
+    let left_out = table.names.iter().filter(|name| ACCELERATIONS.contains(&name.as_str())).cloned().collect();
+    Ok(Motion { rows: motion, rates, left_out })
 }
 
 /// Integral over time from the first row, of values that are linear between rows.
@@ -110,13 +185,47 @@ mod tests {
 
     #[test]
     fn places_and_velocities_are_read_in_their_units() {
-        let (found, rates) = rows("t [ms]; y [mm]; angle [rad]\n0; 5; 0\n10; 4; 0,1\n").expect("rows");
+        let read = |text: &str| rows(text).map(|motion| (motion.rows, motion.rates)).expect("rows");
+        let (found, rates) = read("t [ms]; y [mm]; angle [rad]\n0; 5; 0\n10; 4; 0,1\n");
         assert!((found[1][0] - 0.01).abs() < 1e-15 && (found[1][2] + 1e-3).abs() < 1e-15, "{found:?}");
         assert!((found[1][3] - 0.1_f64.to_degrees()).abs() < 1e-12);
         assert!(rates.is_empty(), "places alone");
-        let (found, rates) = rows("time_s,body.vy_m_per_s\n0,-1\n0.5,-1\n1,-3\n").expect("rows");
+        let (found, rates) = read("time_s,body.vy_m_per_s\n0,-1\n0.5,-1\n1,-3\n");
         assert_eq!(found, [[0.0, 0.0, 0.0, 0.0], [0.5, 0.0, -0.5, 0.0], [1.0, 0.0, -1.5, 0.0]]);
         assert_eq!(rates, [[0.0, -1.0, 0.0], [0.0, -1.0, 0.0], [0.0, -3.0, 0.0]]);
+    }
+
+    /// y = −t² with its velocities is one motion at any rows; with the speeds of another one, or in another unit, it is not.
+    #[test]
+    fn velocities_that_are_not_those_of_the_places_are_refused() {
+        let table = |factor: f64| {
+            let row = |k: i32| {
+                let t = 0.1 * f64::from(k);
+                format!("{t},{},{}\n", -t * t, -2.0 * t * factor)
+            };
+            format!("t,y,vy\n{}", (0..6).map(row).collect::<String>())
+        };
+        assert_eq!(rows(&table(1.0)).expect("one motion").rates[5][1], -1.0);
+        let fault = rows(&table(1.1)).expect_err("another speed");
+        assert!(fault.expected.contains("leave y or vy out"), "{fault:?}");
+        assert_eq!(rows(&table(1000.0)).expect_err("mm/s").line, 3);
+        // a sine of twenty rows a period is smooth enough
+        let row = |k: i32| {
+            let t = 0.05 * f64::from(k);
+            let phase = std::f64::consts::TAU * t;
+            format!("{t},{},{}\n", phase.sin(), std::f64::consts::TAU * phase.cos())
+        };
+        let sine = format!("t,y,vy\n{}", (0..41).map(row).collect::<String>());
+        assert!(rows(&sine).is_ok(), "{:?}", rows(&sine));
+    }
+
+    #[test]
+    fn a_quantity_given_twice_is_refused_and_accelerations_are_told() {
+        for header in ["t,y,y", "t,y,heave", "t,vy,v", "t,time,y"] {
+            let fault = rows(&format!("{header}\n0,0,0\n1,1,1\n")).expect_err(header);
+            assert!(fault.line == 1 && fault.given.contains("two columns of one quantity"), "{header}: {fault:?}");
+        }
+        assert_eq!(rows("t,y,ay\n0,0,0\n1,-1,-2\n").expect("rows").left_out, ["ay"]);
     }
 
     #[test]

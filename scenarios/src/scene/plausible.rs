@@ -18,13 +18,16 @@ const CLASSES: [f64; 4] = [60.0, 180.0, 600.0, 1000.0];
 /// Warnings about such values, each with its numbers and its likely cause.
 pub(super) fn implausible(scene: &Scene, outline: Option<&OutlineReport>) -> Vec<String> {
     let mut warnings = Vec::new();
-    if let Some(body) = &scene.body {
+    for body in scene.all_bodies() {
+        let outline = outline.filter(|_| scene.body.as_ref() == Some(body)); // only the first has a file
+        let mut of_body = Vec::new();
         if let Motion::Free(Freedom { mass, .. }) = body.motion {
             // one of both: they have the same causes
             let doubtful = mean_density(scene, body, mass, outline);
-            warnings.extend(doubtful.or_else(|| lighter_than_panels(scene, body, mass)));
+            of_body.extend(doubtful.or_else(|| lighter_than_panels(scene, body, mass)));
         }
-        warnings.extend(outline.and_then(|file| half_section(scene, body, file)));
+        of_body.extend(outline.and_then(|file| half_section(scene, body, file)));
+        warnings.extend(of_body.into_iter().map(|warning| scene.about(body) + &warning));
     }
     warnings.extend(scene.report.acceleration_cfc.filter(|class| !CLASSES.contains(class)).map(|class| {
         format!(

@@ -7,16 +7,27 @@ use super::outline::OutlineReport;
 use super::references::settle_references;
 use super::{library, modes_file, motion_file, outline, stations, structure_file};
 
-/// Replaces names of files, materials and numbered points by their values; what was understood of an outline.
-pub(super) fn prepare(given: &mut Value, scene_file: &str) -> Result<Option<OutlineReport>, Problem> {
+/// What the files of a scene say beside its values.
+#[derive(Debug, Default)]
+pub(super) struct Prepared {
+    /// What was understood of an outline.
+    pub outline: Option<OutlineReport>,
+    /// What was left out, in sentences.
+    pub told: Vec<String>,
+}
+
+/// Replaces names of files, materials and numbered points by their values.
+pub(super) fn prepare(given: &mut Value, scene_file: &str) -> Result<Prepared, Problem> {
     settle_references(given, scene_file)?;
     let structures = structure_file::files(given, scene_file)?;
     library::settle(given);
-    motion_file::settle(given, scene_file)?;
+    let mut told = motion_file::settle(given, scene_file)?;
     modes_file::settle(given, scene_file)?;
     let from_file = outline::settle(given, scene_file)?;
     let written = if from_file.is_some() { None } else { stations::written(given) };
     stations::settle(given, from_file.as_ref().map(|settled| &settled.stations).or(written.as_ref()))?;
     structure_file::settle(given, &structures)?;
-    Ok(from_file.map(|settled| settled.report))
+    told.extend(structures.iter().flat_map(|file| file.told().to_vec()));
+    told.extend(from_file.iter().flat_map(|settled| settled.told.clone()));
+    Ok(Prepared { outline: from_file.map(|settled| settled.report), told })
 }

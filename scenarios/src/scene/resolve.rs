@@ -8,14 +8,15 @@ use fsi_coupling::geometry::polygon;
 use fsi_coupling::settings::{Problem, require};
 use sph_core::{Dissipation, FluidSettings, Kernel, Solver};
 
-use super::approach::{automatic_start, check_start};
-use super::auto::{auto_fine_zone, auto_reach, auto_sound_speed, fastest_speed, hydrostatic_sound};
+use super::approach::{check_start, earliest_start};
+use super::auto::{auto_reach, auto_sound_speed, hydrostatic_sound};
 use super::bottom::Bottom;
 use super::draft::Draft;
+use super::entries::{Meeting, fastest_of_all, middle_of_all, zone_of_all};
 use super::impact::Entry;
 use super::legacy;
 use super::resolve_body::resolve_body;
-use super::resolve_links::{has_links, resolve_further_bodies};
+use super::resolve_links::resolve_further_bodies;
 use super::settings::{
     Beach, Body, Compare, Coupling, CouplingScheme, GRAVITY, Gauge, Joint, Lattice, Motion, Resolution, Scene,
     SolverSettings, Tank, Time, Water, WaveMaker, WeaklyCompressibleFluid,
@@ -48,68 +49,71 @@ pub(super) fn resolve(mut draft: Draft) -> Result<Scene, Problem> {
     let density = draft.get("fluid.density").unwrap_or(FluidSettings::default().density);
     let finest: f64 = draft.get("resolution.spacing").unwrap_or(f64::INFINITY);
     let others = resolve_further_bodies(draft, symmetry)?;
-    let alone = body.as_ref().filter(|_| !has_links(draft));
-    let entry = alone.and_then(|body| Entry::of(body, gravity, density, time.end, finest));
-    let tank = match &entry {
-        Some(_) => None,
-        None => {
-            refuse_rising(draft, body.as_ref())?;
+    let joints = resolve_joints(draft)?;
+    let bodies: Vec<&Body> = body.iter().chain(&others).collect();
+    let meeting = Meeting { gravity, density, end: time.end, spacing: finest };
+    let entries = meeting.entries(bodies.iter().copied(), &joints);
+    let tank = match entries.is_empty() {
+        false => None,
+        true => {
+            bodies.iter().try_for_each(|body| refuse_rising(draft, body))?;
             Some(resolve_tank(draft)?)
         }
     };
-    let of_others = others.iter().map(|body| fastest_speed(None, Some(body), gravity, None));
-    let fastest = of_others.fold(fastest_speed(entry.as_ref(), body.as_ref(), gravity, tank.as_ref()), f64::max)
+    let fastest = fastest_of_all(bodies.iter().copied(), &entries, gravity, tank.as_ref())
         + tank.as_ref().map_or(0.0, Tank::block_speed);
     let automatic = !draft.is_given("resolution.fine_zone");
     let spacing = draft.get("resolution.spacing");
     let spacing: f64 = spacing.ok_or_else(|| Problem::missing("resolution.spacing", "the finest spacing [m]"))?;
-    let still = entry.as_ref().map_or(0.0, |entry| {
-        let fine_zone = draft.fill("resolution.fine_zone", auto_fine_zone(entry, spacing));
+    let still = if entries.is_empty() {
+        0.0
+    } else {
+        let zone = zone_of_all(&entries, middle_of_all(bodies.iter().copied()), spacing);
+        let fine_zone = draft.fill("resolution.fine_zone", zone);
         let least = auto_reach(0.0, time.end, fine_zone, gravity)[1];
         hydrostatic_sound(gravity, draft.get("tank.depth").unwrap_or(least))[0]
-    });
+    };
     let gentle = body.is_none() && tank.as_ref().is_some_and(Tank::is_full);
     let under_water = tank.as_ref().is_some_and(|tank| tank.block_from.is_none())
-        && body.iter().chain(&others).any(Body::starts_under_water);
-    let solver = resolve_fluid(draft, body.as_ref(), entry.as_ref(), fastest, still, [gentle, under_water])?;
+        && bodies.iter().any(|body| body.starts_under_water());
+    let solver = resolve_fluid(draft, &bodies, &entries, fastest, still, [gentle, under_water])?;
     let waves = tank.as_ref().is_some_and(Tank::is_wave_tank);
     let calmed = matches!(solver.kind(), Solver::Incompressible | Solver::IncompressibleExplicit);
     if waves && calmed {
         draft.fill("projection.calming", CALMING_OF_WAVES);
     }
-    resolve_coupling(draft, &solver, &body.iter().chain(&others).collect::<Vec<_>>())?;
-    match &entry {
-        Some(entry) => {
+    resolve_coupling(draft, &solver, &bodies)?;
+    match entries.is_empty() {
+        false => {
             let fine_zone: [f64; 2] = draft.read("resolution.fine_zone")?;
             let [beside, below] = auto_reach(solver.sound_speed(), time.end, fine_zone, gravity);
-            let off_center = body.as_ref().map_or(0.0, |body| body.middle().abs());
-            let beside = beside.max(BESIDE_BODY * entry.half_breadth); // a short run may need less than the body does
-            draft.fill("tank.width", 2.0 * (beside + off_center));
+            // a short run may need less than the body does
+            let beside =
+                |(body, entry): &(&Body, Entry)| beside.max(BESIDE_BODY * entry.half_breadth) + body.middle().abs();
+            draft.fill("tank.width", 2.0 * entries.iter().map(beside).fold(0.0, f64::max));
             draft.fill("tank.depth", below);
             resolve_tank(draft)?;
         }
-        None => {
+        true => {
             let tank = resolve_tank(draft)?;
             // half a width of `width` covers the tank from wherever the body is
             draft.fill("resolution.fine_zone", [tank.width, tank.depth]);
         }
     };
-    resolve_resolution(draft, &solver, entry.as_ref(), body.as_ref(), [automatic, under_water])?;
+    resolve_resolution(draft, &solver, &entries, &bodies, [automatic, under_water])?;
     for i in 0..draft.count("gauges") {
         let gauge: Gauge = draft.read(&format!("gauges[{i}]"))?;
         word(&format!("gauges[{i}].name"), &gauge.name)?;
-    }
-    for i in 0..draft.count("joints") {
-        draft.read::<Joint>(&format!("joints[{i}]"))?;
     }
     for i in 0..draft.count("compare") {
         resolve_compare(draft, &format!("compare[{i}]"), time.end)?;
     }
     let model =
         draft.fill("model", if solver.is_incompressible() { EntryModel::Incompressible } else { EntryModel::Wcsph });
-    check_start(time.start, body.as_ref().map(|body| (body, entry.as_ref())), solver.kind(), gravity, spacing)?;
-    if let (None, false, Some((body, entry))) = (start, model.is_theory(), body.as_ref().zip(entry.as_ref())) {
-        draft.set("time.start", automatic_start(body, entry, solver.kind(), gravity, spacing));
+    let flying: Vec<(&Body, Option<Entry>)> = bodies.iter().map(|body| (*body, meeting.entry(body, &joints))).collect();
+    check_start(time.start, &flying, solver.kind(), gravity, spacing)?;
+    if start.is_none() && !model.is_theory() && !entries.is_empty() {
+        draft.set("time.start", earliest_start(&flying, solver.kind(), gravity, spacing));
     }
     let scene: Scene = draft.read("")?;
     word("name", &scene.name)?;
@@ -142,16 +146,24 @@ fn resolve_time(draft: &mut Draft) -> Result<Time, Problem> {
     Ok(time)
 }
 
+/// The joints, complete.
+fn resolve_joints(draft: &mut Draft) -> Result<Vec<Joint>, Problem> {
+    (0..draft.count("joints")).map(|i| draft.read(&format!("joints[{i}]"))).collect()
+}
+
 /// A body that moves up does not meet the water: without a tank of its own such a scene has a wrong sign.
-fn refuse_rising(draft: &Draft, body: Option<&Body>) -> Result<(), Problem> {
+fn refuse_rising(draft: &Draft, body: &Body) -> Result<(), Problem> {
     let has_tank = draft.is_given("tank.depth") && draft.is_given("tank.width");
-    let Some(body) = body.filter(|body| !has_tank && body.velocity[1] > 0.0) else { return Ok(()) };
+    if has_tank || body.velocity[1] <= 0.0 {
+        return Ok(());
+    }
     let expected = "y below 0, down into the water, or a [tank] with width and depth: this body moves up";
     Err(Problem::new("body.velocity", format!("{:?}", body.velocity), expected))
 }
 
 fn resolve_tank(draft: &mut Draft) -> Result<Tank, Problem> {
-    let expected = "a length [m]: \"auto\" needs a body that falls or moves down into the water, alone";
+    let expected =
+        "a length [m]: \"auto\" needs a body that falls or moves down into the water and that no joint holds";
     let length = |key: &str| draft.get::<f64>(key).ok_or_else(|| Problem::missing(key, expected));
     let (depth, width) = (length("tank.depth")?, length("tank.width")?);
     let water_width = draft.fill("tank.water_width", width);
@@ -197,6 +209,29 @@ fn tension_beside_air(draft: &Draft, entry: &Entry, body: &Body) -> f64 {
     -density * (0.5 * (body.velocity[0].powi(2) + entry.speed.powi(2)) + length * gx.hypot(gy))
 }
 
+/// True for straight faces with a keel.
+fn has_keel(entry: &Entry) -> bool {
+    matches!(entry.bottom, Bottom::Wedge { .. }) && !entry.is_flat()
+}
+
+/// Pressure [Pa] that bounds the tension of the water which a body enters; `None` for no bound. Of several bodies the lowest holds: a higher one
+/// lets light bodies gain energy and adds to the noise under flat bottoms.
+fn least_pressure(draft: &Draft, body: &Body, entry: &Entry) -> Option<f64> {
+    if entry.leaves_its_sides() {
+        return Some(0.0);
+    }
+    if !has_keel(entry) {
+        return None;
+    }
+    let rigid_and_wet = entry.wets_its_chines() && !body.bends();
+    match &body.motion {
+        Motion::ConstantVelocity | Motion::Tabulated(_) if rigid_and_wet => Some(0.0),
+        Motion::Free(freedom) if rigid_and_wet && freedom.mass >= least_heavy_mass(draft, entry) => Some(0.0),
+        Motion::Free(_) => Some(tension_beside_air(draft, entry, body)),
+        _ => None,
+    }
+}
+
 /// Acoustic steps per advective step where a rigid wedge enters the water (THEORY WC22) [-]: means are those of 1, forces 1.4 times as
 /// noisy in the median; with 8 noise is twice that of 1. No exact case judges round and flat bottoms.
 const ACOUSTIC_STEPS_OF_A_WEDGE: u32 = 4;
@@ -210,8 +245,8 @@ const VISCOSITY_UNDER_WATER: f64 = 0.005;
 /// a body.
 fn resolve_fluid(
     draft: &mut Draft,
-    body: Option<&Body>,
-    entry: Option<&Entry>,
+    bodies: &[&Body],
+    entries: &[(&Body, Entry)],
     fastest: f64,
     still: f64,
     [gentle, under_water]: [bool; 2],
@@ -230,25 +265,16 @@ fn resolve_fluid(
     if solver == Solver::WeaklyCompressible {
         draft.fill("fluid.shifting_at_surface", !gentle);
     }
-    let keeled = entry.filter(|entry| matches!(entry.bottom, Bottom::Wedge { .. }) && !entry.is_flat());
-    if let (Solver::WeaklyCompressible, false, Some((body, entry))) = (solver, gaseous, body.zip(keeled)) {
-        let rigid_and_wet = entry.wets_its_chines() && !body.bends();
-        let bound = match &body.motion {
-            Motion::ConstantVelocity | Motion::Tabulated(_) if rigid_and_wet => Some(0.0),
-            Motion::Free(freedom) if rigid_and_wet && freedom.mass >= least_heavy_mass(draft, entry) => Some(0.0),
-            Motion::Free(_) => Some(tension_beside_air(draft, entry, body)),
-            _ => None,
-        };
-        bound.map(|bound| draft.fill("fluid.cavitation_pressure", bound));
-    }
-    if solver == Solver::WeaklyCompressible && !gaseous && entry.is_some_and(Entry::leaves_its_sides) {
-        draft.fill("fluid.cavitation_pressure", 0.0);
+    if solver == Solver::WeaklyCompressible && !gaseous {
+        let bounds: Vec<Option<f64>> = entries.iter().map(|(body, entry)| least_pressure(draft, body, entry)).collect();
+        let lowest = bounds.iter().map(|bound| bound.unwrap_or(f64::NEG_INFINITY)).reduce(f64::min);
+        lowest.filter(|bound| bound.is_finite()).map(|bound| draft.fill("fluid.cavitation_pressure", bound));
     }
     let given: Option<f64> = draft.get("fluid.sound_speed");
     let water: Water = draft.read("fluid")?;
-    let sound = match auto_sound_speed(&water, entry, fastest, still) {
+    let sound = match auto_sound_speed(&water, entries.iter().map(|(_, entry)| entry), fastest, still) {
         // a size of the tank follows from it, and nothing else
-        nothing if nothing == 0.0 && solver.is_incompressible() && entry.is_none() => AT_REST,
+        nothing if nothing == 0.0 && solver.is_incompressible() && entries.is_empty() => AT_REST,
         sound => sound,
     };
     let sound = draft.fill("fluid.sound_speed", sound);
@@ -268,11 +294,12 @@ fn resolve_fluid(
             draft.fill("fluid.artificial_viscosity", VISCOSITY_UNDER_WATER);
         }
         let WeaklyCompressibleFluid { scheme, options, .. } = draft.read("fluid")?;
-        let bends = body.is_some_and(Body::bends);
+        let bends = bodies.iter().any(|body| body.bends());
+        let keeled = !entries.is_empty() && entries.iter().all(|(_, entry)| has_keel(entry));
         let settles = matches!(water.fluid.kernel, Kernel::WendlandC2 | Kernel::WendlandC4);
         let iterates = draft.get("coupling.scheme") == Some(CouplingScheme::IqnIls);
         let follows = draft.get("resolution.follow") != Some(false);
-        if keeled.is_some() && !bends && settles && !iterates && follows && legacy::holds_geometry(&options) {
+        if keeled && !bends && settles && !iterates && follows && legacy::holds_geometry(&options) {
             draft.fill("fluid.acoustic_steps", ACOUSTIC_STEPS_OF_A_WEDGE);
         }
         legacy::complete(draft, &water.fluid, scheme, options, given)?;
@@ -290,12 +317,17 @@ fn resolve_coupling(draft: &mut Draft, solver: &SolverSettings, bodies: &[&Body]
     let solves_both = matches!(solver.kind(), Solver::WeaklyCompressible | Solver::Incompressible);
     let options = solver.weakly_compressible().map(|fluid| &fluid.options);
     let extrapolated = options.is_none_or(legacy::extrapolates);
-    draft.fill("coupling.scheme", if is_light && solves_both && extrapolated { AddedMass } else { Weak });
+    let alternates = bends && options.is_some_and(legacy::leaps);
+    draft
+        .fill("coupling.scheme", if is_light && solves_both && extrapolated && !alternates { AddedMass } else { Weak });
     let scheme = draft.read::<Coupling>("coupling")?.scheme;
     let allowed =
         |holds: bool, expected: &str| require(holds, "coupling.scheme", format_args!("{:?}", scheme.name()), expected);
     let walls = "\"weak\" with these fluid.walls: only \"extrapolated\" walls take a body's acceleration";
     allowed(scheme == Weak || extrapolated, walls)?;
+    let verlet = "\"weak\" with fluid.integrator = \"verlet\" and a body that bends, or another integrator: its force alternates from \
+                  step to step";
+    allowed(scheme == Weak || !alternates, verlet)?;
     allowed(
         scheme != AddedMass || solves_both,
         "\"weak\" or \"iqn_ils\" with this solver: only \"weakly_compressible\" and \"incompressible\" solve a body's \
@@ -308,13 +340,13 @@ fn resolve_coupling(draft: &mut Draft, solver: &SolverSettings, bodies: &[&Body]
 fn resolve_resolution(
     draft: &mut Draft,
     solver: &SolverSettings,
-    entry: Option<&Entry>,
-    body: Option<&Body>,
+    entries: &[(&Body, Entry)],
+    bodies: &[&Body],
     [automatic, under_water]: [bool; 2],
 ) -> Result<(), Problem> {
-    let plate = body.is_some_and(|body| matches!(body.shape, Shape::Polyline { .. }));
+    let plate = bodies.iter().any(|body| matches!(body.shape, Shape::Polyline { .. }));
     let packing =
-        draft.fill("resolution.packing", (solver.is_incompressible() && body.is_some() || under_water) && !plate);
+        draft.fill("resolution.packing", (solver.is_incompressible() && !bodies.is_empty() || under_water) && !plate);
     let beside_plate = "false with a polyline, beside which there is room anyhow";
     require(!(plate && packing), "resolution.packing", true, beside_plate)?;
     let asked: Option<bool> = draft.get("resolution.follow");
@@ -333,7 +365,8 @@ fn resolve_resolution(
     // why the zone cannot grow (THEORY WC21): what is expected instead of `true`
     let of_options = solver.weakly_compressible().and_then(|fluid| legacy::obstacle_to_tracking(&fluid.options));
     let obstacle = match () {
-        _ if entry.is_none() => Some("false where no body enters the water"),
+        _ if entries.is_empty() => Some("false where no body enters the water"),
+        _ if bodies.len() > 1 => Some("false with several bodies: the fine zone follows one"),
         _ if growth == 1.0 => Some("false with resolution.growth = 1: all the water is fine"),
         _ if plate => Some("false with a polyline, whose sides see different water"),
         _ if solver.is_incompressible() => {
@@ -341,7 +374,7 @@ fn resolve_resolution(
         }
         _ => of_options,
     };
-    let rigid = body.is_some_and(|body| !body.bends());
+    let rigid = bodies.iter().all(|body| !body.bends());
     let follow = asked.unwrap_or(obstacle.is_none() && automatic && rigid);
     require(!follow || obstacle.is_none(), "resolution.follow", true, obstacle.unwrap_or_default())?;
     draft.set("resolution.follow", follow);

@@ -11,12 +11,7 @@ use super::settings::{Body, Joint, JointName, Scene, Symmetry, TANK};
 use super::source::word;
 
 /// Tables of a body that only the first one may have.
-const OF_THE_FIRST: [&str; 5] = ["panels", "modal", "outline", "motion_file", "modes_file"];
-
-/// True for a scene of several bodies, or of joints: no theory of one body that enters still water holds for it.
-pub(super) fn has_links(draft: &Draft) -> bool {
-    draft.count("bodies") > 0 || draft.count("joints") > 0
-}
+const OF_THE_FIRST: [&str; 6] = ["panels", "modal", "outline", "outline_layer", "motion_file", "modes_file"];
 
 /// All bodies after the first, complete.
 pub(super) fn resolve_further_bodies(draft: &mut Draft, symmetry: Symmetry) -> Result<Vec<Body>, Problem> {

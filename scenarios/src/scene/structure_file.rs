@@ -28,9 +28,15 @@ pub(super) struct StructureFile {
     panel: usize,
     name: String,
     chain: Chain,
+    told: Vec<String>,
 }
 
 impl StructureFile {
+    /// What was left out of it, in sentences.
+    pub(super) fn told(&self) -> &[String] {
+        &self.told
+    }
+
     /// A problem of one of its lines.
     fn problem(&self, fault: Fault) -> Problem {
         let at = DataLine { file: self.name.clone(), line: fault.line };
@@ -74,13 +80,13 @@ pub(super) fn files(given: &mut Value, scene_file: &str) -> Result<Vec<Structure
         };
         let key = key("structure_file");
         let file = DataFile::read(scene_file, &key, &name, KIND)?;
-        let model = BeamModel::read(&file.text);
-        let chain = model.and_then(|model| Chain::of(&model, &Reading { axes, units, width }));
-        let chain = chain.map_err(|error| file.problem(error.into()))?;
+        let model = BeamModel::read(&file.text).map_err(|error| file.problem(error.into()))?;
+        let chain = Chain::of(&model, &Reading { axes, units, width }).map_err(|error| file.problem(error.into()))?;
+        let told = model.told.iter().map(|what| format!("{key} {name:?}: {what}")).collect();
         for name in ["structure_file", "structure_plane", "structure_units", "structure_width"] {
             table.remove(name);
         }
-        found.push(StructureFile { panel, name, chain });
+        found.push(StructureFile { panel, name, chain, told });
     }
     Ok(found)
 }

@@ -1,28 +1,21 @@
 //! What a scene may be run with, but not relied on for; in plain words.
 
-use std::f64::consts::{FRAC_PI_2, TAU};
+use std::f64::consts::TAU;
 
-use super::air_warnings::{flat_contact, vapour};
 use super::auto::{ACOUSTIC_REACH, WATER_SOUND};
-use super::bottom::Bottom;
+use super::entry_warnings::{entry_warnings, lost_forces, short_of_water_all};
 use super::exchange::{light_bodies, light_panels};
 use super::force_limits::limit_of_forces;
-use super::impact::{Entry, LEAST_DRAUGHT, LEAST_SOUND_RATIO, jet_reach, known_compressibility_error};
+use super::impact::LEAST_SOUND_RATIO;
 use super::incompressible::projection_warnings;
 use super::legacy;
 use super::resolve_links::thin_film;
-use super::settings::{Body, Gauge, Motion, Panel, Scene, WeaklyCompressibleFluid, panel_length};
+use super::settings::{Body, Gauge, Panel, Scene, WeaklyCompressibleFluid, panel_length};
 use super::waves::wave_warnings;
+use fsi_coupling::PanelEnd;
 use fsi_coupling::entry_theory::EntryModel;
 use fsi_coupling::settings::significant;
-use fsi_coupling::{PanelEnd, Shape};
 use sph_core::{Dissipation, Kernel, Solver};
-
-/// Spacings across the length with 90 % of the peak pressure: 17 give the peak to 2–4 %, 5 to 25 %.
-const PEAK_SPACINGS: f64 = 17.0;
-
-/// Draught over spacing from which the force of an entry is within 1 %.
-const STARTING_DRAUGHT: f64 = 16.0;
 
 const LARGEST_CFL: f64 = 0.8;
 
@@ -67,10 +60,7 @@ pub fn warnings(scene: &Scene) -> Vec<String> {
     if scene.solver.kind() == Solver::IncompressibleThesis {
         warnings.extend(legacy::thesis_warnings(scene.water().smoothing_ratio, scene.body.is_some()));
     }
-    match scene.entry().filter(|entry| entry.final_draught > 0.0) {
-        Some(entry) => warnings.extend(entry_warnings(scene, &entry)),
-        None => warnings.extend(short_of_water(scene)),
-    }
+    warnings.extend(entry_warnings(scene));
     if scene.resolution.growth > LARGEST_GROWTH {
         warnings.push(format!(
             "resolution.growth = {}: up to 1.2 is harmless, 1.5 costs 9 % of the force",
@@ -84,6 +74,7 @@ pub fn warnings(scene: &Scene) -> Vec<String> {
     warnings.extend(limit_of_forces(scene));
     warnings.extend(scene.all_bodies().filter_map(|body| body.short_table(scene.time.end)));
     warnings.extend(wave_warnings(scene));
+    warnings.extend(scene.all_bodies().filter_map(Body::kinks));
     warnings.extend(doubtful_panels(scene));
     warnings.extend(scene.gauges.iter().filter_map(|gauge| coarse_samples(scene, gauge)));
     let late = scene.compare.iter().filter(|compare| compare.window[0] >= scene.time.end);
@@ -101,14 +92,7 @@ fn theory_warnings(scene: &Scene) -> Vec<String> {
     let singular = (scene.model == EntryModel::Wagner && !scene.gauges.is_empty()).then(|| {
         "Wagner's pressure is infinite at the spray root: a gauge's peak depends on time.sample_every".to_string()
     });
-    short_of_water(scene).into_iter().chain(singular).collect()
-}
-
-/// A body that ends its run in the air.
-fn short_of_water(scene: &Scene) -> Option<String> {
-    let above = -scene.entry().filter(|entry| entry.final_draught <= 0.0)?.final_draught;
-    let above = significant(above);
-    Some(format!("the body does not reach the water: at the end of the run it is {above} m above it"))
+    short_of_water_all(scene).into_iter().chain(singular).collect()
 }
 
 /// Warnings about water that carries sound: how fast, in which steps, how far, and beside what.
@@ -137,8 +121,8 @@ fn sound_warnings(scene: &Scene, fluid: &WeaklyCompressibleFluid) -> Vec<String>
         ));
     }
     warnings.extend(held_geometry(fluid.scheme.acoustic_steps()));
-    if let Some(entry) = scene.entry().filter(|entry| entry.final_draught > 0.0) {
-        warnings.extend(lost_force(scene, &entry));
+    warnings.extend(lost_forces(scene));
+    if scene.entries().iter().any(|(_, entry)| entry.final_draught > 0.0) {
         warnings.extend(echo(scene));
     }
     if cfl > LARGEST_CFL {
@@ -209,80 +193,12 @@ fn slow_sound(scene: &Scene) -> Option<String> {
     })
 }
 
-/// What compressibility takes of an impact's force.
-fn lost_force(scene: &Scene, entry: &Entry) -> Option<String> {
-    if scene.is_cushioned(entry) {
-        return None; // as soft as it is meant to be
-    }
-    let (root, sound) = (entry.root_speed(), scene.sound_speed());
-    let cure = match sound < WATER_SOUND {
-        true => "raise fluid.sound_speed",
-        false => "sound is as fast as in water, where the force is lower as well",
-    };
-    match known_compressibility_error(root, sound) {
-        None => Some(format!(
-            "the spray root starts at Mach {}: what compressibility takes of the force is known up to 0.3; {cure}",
-            significant(root / sound)
-        )),
-        Some(error) if error > scene.solver.water().compressibility_error * (1.0 + 1e-9) => Some(format!(
-            "compressibility takes about {} % of the force at Mach {} of the spray root; fluid.compressibility_error \
-             admits {} %: {cure}",
-            significant(100.0 * error),
-            significant(root / sound),
-            significant(100.0 * scene.solver.water().compressibility_error)
-        )),
-        Some(_) => None,
-    }
-}
-
-fn entry_warnings(scene: &Scene, entry: &Entry) -> Vec<String> {
-    let spacing = scene.resolution.spacing;
-    let mut warnings = Vec::new();
-    let draught = entry.final_draught;
-    if draught < STARTING_DRAUGHT * spacing && !scene.is_cushioned(entry) {
-        warnings.push(format!(
-            "the draught at the end is {} spacings; below {STARTING_DRAUGHT} the force is off by over 1 %: {} m would do",
-            significant(draught / spacing),
-            significant(0.99 * draught / STARTING_DRAUGHT)
-        ));
-    }
-
-    warnings.extend(flat_contact(scene, entry));
-    warnings.extend(vapour(scene, entry));
-    let peak = entry.peak_draught / spacing;
-    if matches!(entry.bottom, Bottom::Wedge { .. }) && !entry.is_flat() && peak < LEAST_DRAUGHT {
-        warnings.push(format!(
-            "the largest force comes at a draught of about {} spacings, and the run will not give it as resolved: {} m would do \
-             for resolution.spacing",
-            significant(peak),
-            significant(entry.peak_draught / LEAST_DRAUGHT)
-        ));
-    }
-
-    let across = entry.peak_length() / spacing;
-    if across < PEAK_SPACINGS && !entry.is_flat() {
-        warnings.push(format!(
-            "peak pressure unreliable: {} spacings across the face near the peak (5 give it to 25 %, {PEAK_SPACINGS} to 2-4 %); \
-             {} m would do for resolution.spacing",
-            significant(across),
-            significant(entry.peak_length() / PEAK_SPACINGS)
-        ));
-    }
-
-    if draught >= scene.tank.depth {
-        warnings.push(format!(
-            "the body may reach the floor: draught {} m at the end, depth {} m",
-            significant(draught),
-            significant(scene.tank.depth)
-        ));
-    }
-
-    warnings.extend(past_the_chine(scene, entry));
-    warnings
-}
-
 fn echo(scene: &Scene) -> Option<String> {
-    let beside = 0.5 * scene.tank.width - scene.fine_zone_center().abs();
+    let beside = scene
+        .entries()
+        .iter()
+        .map(|(body, _)| 0.5 * scene.tank.width - body.middle().abs())
+        .fold(f64::INFINITY, f64::min);
     let reach = beside.min(scene.tank.depth);
     let needed = ACOUSTIC_REACH * scene.sound_speed() * scene.time.end;
     // A hair of slack: an "auto" tank is exactly as large as needed.
@@ -292,39 +208,6 @@ fn echo(scene: &Scene) -> Option<String> {
             significant(reach),
             significant(scene.time.end * reach / needed),
             significant(needed)
-        )
-    })
-}
-
-/// The warning about an upright wedge at constant speed whose jet, or spray root, passes the chine before the end.
-fn past_the_chine(scene: &Scene, entry: &Entry) -> Option<String> {
-    let body = scene.body.as_ref()?;
-    let Shape::Wedge { deadrise_deg, breadth, .. } = body.shape else { return None };
-    let upright = body.angle_deg == 0.0 && body.angular_velocity_deg_per_s == 0.0 && body.velocity[0] == 0.0;
-    if body.motion != Motion::ConstantVelocity || !upright {
-        return None;
-    }
-    let (end, chine, keel) = (scene.time.end, 0.5 * breadth, body.position[1]);
-    let root = FRAC_PI_2 / deadrise_deg.to_radians().tan();
-    // the keel meets the water at −keel/V before or after the run's start
-    let passes = |reach: f64| (chine / reach + keel) / entry.speed;
-    let tip = jet_reach(deadrise_deg).unwrap_or(root);
-    let needed = significant(2.0 * tip * entry.final_draught);
-    let remedy = format!("body.breadth = {needed} m would keep the jet on the face");
-    if passes(root) < end {
-        return Some(format!(
-            "the spray root passes the chine at {} s and would be at {} m at the end, past the chine at {} m, where the \
-             similarity solution ends: the face is wetted to its end, and the force no longer grows with it; {remedy}",
-            significant(passes(root)),
-            significant(root * entry.final_draught),
-            significant(chine),
-        ));
-    }
-    (passes(tip) < end).then(|| {
-        format!(
-            "the jet's tip passes the chine at {} s and leaves the face: the force falls below the similarity solution's a \
-             little (20 deg, breadth 12 m: by 2 % at 1.3 times that time); {remedy}",
-            significant(passes(tip))
         )
     })
 }

@@ -6,7 +6,8 @@ use fsi_coupling::waves::linear_wave::LinearWave;
 
 use sph_core::Solver;
 
-use super::settings::{Beach, GaugeFrame, Scene, SolverSettings, Symmetry, WaveMaker};
+use super::resolve_links::further;
+use super::settings::{Beach, Body, GaugeFrame, Scene, SolverSettings, Symmetry, WaveMaker};
 
 /// Longest stroke over the width of the tank [-].
 const LONGEST_STROKE: f64 = 0.25;
@@ -130,10 +131,14 @@ fn check_way_of_piston(scene: &Scene, end: f64) -> Result<(), Problem> {
     for (i, gauge) in scene.gauges.iter().enumerate().filter(|(_, gauge)| gauge.on == GaugeFrame::Fixed) {
         require(gauge.at[0] >= clear, &format!("gauges[{i}].at"), format_args!("{:?}", gauge.at), expected)?;
     }
-    let Some(body) = &scene.body else { return Ok(()) };
-    let [min, _] = polygon::bounding_box(&body.placed_outline());
-    let given = format_args!("a body from x = {} m on", significant(min[0]));
-    require(min[0] >= clear, "body.position", given, expected)
+    let clear_of_it = |body: &Body| {
+        let [min, _] = polygon::bounding_box(&body.placed_outline());
+        let given = format_args!("a body from x = {} m on", significant(min[0]));
+        require(min[0] >= clear, "body.position", given, expected)
+    };
+    scene.body.as_ref().map_or(Ok(()), clear_of_it)?;
+    let mut others = scene.bodies.iter().enumerate();
+    others.try_for_each(|(i, body)| clear_of_it(body).map_err(|problem| further(problem, i)))
 }
 
 /// Warnings about waves that run nevertheless.

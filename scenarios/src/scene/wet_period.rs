@@ -56,7 +56,7 @@ pub fn longest_step(scene: &Scene) -> f64 {
 /// Panels, by name, that vibrate with the sound of the water above them, and why their loads are not those of real water: in a basin
 /// that a body does not enter from the air.
 pub(crate) fn resonant_panels(scene: &Scene) -> Vec<(String, String)> {
-    if scene.solver.kind() != Solver::WeaklyCompressible || scene.entry().is_some() {
+    if scene.solver.kind() != Solver::WeaklyCompressible || !scene.entries().is_empty() {
         return Vec::new();
     }
     let (sound, depth) = (scene.sound_speed(), scene.tank.depth);

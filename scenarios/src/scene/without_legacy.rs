@@ -100,6 +100,10 @@ pub(super) fn extrapolates(_: &Options) -> bool {
     true
 }
 
+pub(super) fn leaps(_: &Options) -> bool {
+    false
+}
+
 pub(super) fn repulsive_walls(_: &Options) -> bool {
     false
 }

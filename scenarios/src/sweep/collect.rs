@@ -8,7 +8,9 @@ use serde_json::Value;
 use super::file::SCENE_AXIS;
 use super::folder::{KILLED, Outcome, State, SweepFolder};
 use super::plan::{Axis, Plan, Point};
-use crate::bounded_text::read_text;
+
+/// Status of a run that failed.
+const FAILED: &str = "failed";
 
 /// A number of a summary.
 #[derive(Clone, Debug, PartialEq)]
@@ -65,12 +67,12 @@ pub struct PointResult {
 }
 
 impl PointResult {
-    /// True for a point with results.
+    /// True for a point with results that did not fail.
     pub fn is_completed(&self) -> bool {
-        !self.numbers.is_empty() || !self.texts.is_empty()
+        self.status != FAILED && !(self.numbers.is_empty() && self.texts.is_empty())
     }
 
-    /// True for a point that ended without results.
+    /// True for a point that ended otherwise: without results, or a landing that left the range of its model.
     pub fn has_failed(&self) -> bool {
         !["waiting", "running"].contains(&self.status.as_str()) && !self.is_completed()
     }
@@ -116,7 +118,12 @@ impl Collected {
         self.points.iter().filter(|point| point.is_completed())
     }
 
-    /// The points that ended without.
+    /// The points with numbers: besides those with results, landings that left the range of their model.
+    pub fn with_numbers(&self) -> impl Iterator<Item = &PointResult> {
+        self.points.iter().filter(|point| !point.numbers.is_empty() || point.is_completed())
+    }
+
+    /// The points that failed.
     pub fn failed(&self) -> impl Iterator<Item = &PointResult> {
         self.points.iter().filter(|point| point.has_failed())
     }
@@ -144,25 +151,30 @@ impl Found {
             State::Waiting => point.outcome().filter(|o| o.status == KILLED).unwrap_or_else(|| status("waiting")),
         };
         let mut found = Found { outcome, numbers: Vec::new(), texts: Vec::new() };
-        if !found.outcome.is_completed() {
+        let has_failed = found.outcome.status == FAILED;
+        if !found.outcome.is_completed() && !has_failed {
             return found;
         }
-        let path = point.file("summary.json");
-        let read = read_text(&path).map_err(|e| e.to_string());
-        match read.and_then(|text| serde_json::from_str::<Value>(&text).map_err(|e| e.to_string())) {
+        match point.summary() {
+            // up to its end a landing that left the range of its model has loads, and they may be the largest of all
+            Ok(summary) if has_failed && is_landing(&summary) && plan.tabulate.is_empty() => {
+                let unresolved = |number: Number| Number { verdict: Some("not_resolved".into()), ..number };
+                found.numbers = usual(&summary).into_iter().map(|(name, number)| (name, unresolved(number))).collect();
+            }
+            _ if has_failed => {}
             Ok(summary) if plan.tabulate.is_empty() => found.numbers = usual(&summary),
             Ok(summary) => {
                 plan.tabulate.iter().for_each(|path| found.take(&summary, path));
                 if found.numbers.is_empty() && found.texts.is_empty() {
-                    found.outcome.status = "failed".into();
-                    let paths = plan.tabulate.join(", ");
+                    found.outcome.status = FAILED.into();
+                    let (path, paths) = (point.file("summary.json"), plan.tabulate.join(", "));
                     found.outcome.message =
                         Some(format!("{} has nothing at {paths}, the paths of `tabulate`", path.display()));
                 }
             }
             Err(why) => {
-                found.outcome.status = "failed".into();
-                found.outcome.message = Some(format!("{}: {why}", path.display()));
+                found.outcome.status = FAILED.into();
+                found.outcome.message = Some(why);
             }
         }
         found
@@ -223,6 +235,11 @@ fn number(value: &Value) -> Option<Number> {
 const AUDIT: [&str; 4] = ["momentum", "energy", "volume", "penetrated"];
 /// Numbers of a landing that have no time.
 const OF_LANDING: [&str; 2] = ["line_load_at_m", "run_length_m"];
+
+/// True for the summary of a landing.
+fn is_landing(summary: &Value) -> bool {
+    summary.get("line_load_n_per_m").is_some()
+}
 
 /// Results of a run and its audit, or the extremes of a landing.
 fn usual(summary: &Value) -> Vec<(String, Number)> {

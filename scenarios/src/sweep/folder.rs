@@ -8,6 +8,7 @@ use std::time::{Duration, Instant};
 
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 
 use super::error::SweepError;
 use super::plan::{Plan, Task};
@@ -186,9 +187,19 @@ impl PointFolder {
         read_json(&self.file("point.json")).ok()
     }
 
-    /// Where the point stands; one whose process died waits for another.
+    /// The numbers of its run, `summary.json`.
+    ///
+    /// # Errors
+    /// The file is missing or damaged; in words, with its path.
+    pub fn summary(&self) -> Result<Value, String> {
+        let path = self.file("summary.json");
+        read_json(&path).map_err(|why| format!("{}: {why}", path.display()))
+    }
+
+    /// Where the point stands; one whose process died waits for another, and so does one whose results are lost or damaged.
     pub fn state(&self) -> State {
-        match self.outcome().filter(|outcome| outcome.status != KILLED) {
+        let is_whole = |outcome: &Outcome| !outcome.is_completed() || self.summary().is_ok();
+        match self.outcome().filter(|outcome| outcome.status != KILLED && is_whole(outcome)) {
             Some(outcome) => State::Ended(outcome),
             None if self.is_locked() => State::Running,
             None => State::Waiting,

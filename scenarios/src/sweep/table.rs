@@ -87,7 +87,7 @@ pub(super) struct Worst<'a> {
 pub(super) fn worst<'a>(collected: &'a Collected) -> Vec<Worst<'a>> {
     let scene_of = |point: &PointResult| collected.scene_axis().map(|k| plain(&point.values[k]));
     let mut scenes: Vec<Option<String>> = Vec::new();
-    for scene in collected.completed().map(scene_of) {
+    for scene in collected.with_numbers().map(scene_of) {
         if !scenes.contains(&scene) {
             scenes.push(scene);
         }
@@ -103,7 +103,7 @@ pub(super) fn worst<'a>(collected: &'a Collected) -> Vec<Worst<'a>> {
             false => number.value.abs(),
         };
         for scene in &scenes {
-            let points = collected.completed().filter(|point| scene_of(point) == *scene);
+            let points = collected.with_numbers().filter(|point| scene_of(point) == *scene);
             let numbers = points.filter_map(|point| Some((point, point.numbers.get(name)?)));
             let numbers: Vec<Found<'a>> = numbers.collect();
             // of equals the first

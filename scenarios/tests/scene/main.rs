@@ -1,6 +1,7 @@
 //! Scene files: what loads, what is refused and how, what is left to the program.
 
 mod air;
+mod guide_examples;
 mod legacy;
 mod own_section;
 mod panels;
@@ -8,6 +9,7 @@ mod plausible;
 mod projection;
 mod reference_page;
 mod refused;
+mod several_bodies;
 mod start;
 #[cfg(feature = "legacy")]
 mod thesis_files;

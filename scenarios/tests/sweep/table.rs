@@ -103,6 +103,33 @@ fn nothing_is_computed_twice() {
     assert_eq!(by_folder.code(), Some(0));
 }
 
+/// A point whose results are lost, or whose file of results is cut, runs again, and no other; the table is the same.
+#[test]
+fn a_point_whose_results_are_lost_or_damaged_runs_again() {
+    let place = Place::new(DROPS);
+    assert_eq!(place.sweep(&[]).0, Some(0));
+    let table = place.text("out/table.csv");
+    let without_times = |table: &str| {
+        let (head, rows) = csv(table);
+        let of = |row: &Vec<&str>| {
+            row.iter()
+                .zip(&head)
+                .filter(|(_, name)| !name.contains("wall"))
+                .map(|(cell, _)| cell.to_string())
+                .collect::<Vec<_>>()
+        };
+        rows.iter().map(of).collect::<Vec<_>>()
+    };
+    let points = place.points_with("summary.json");
+    std::fs::remove_file(points[1].join("summary.json")).expect("a summary");
+    std::fs::write(points[4].join("summary.json"), "{\"results\": {\"peak_for").expect("a summary");
+    let (_, status, _) = place.sweep(&["--status"]);
+    assert_eq!((&status["done"], &status["waiting"]), (&4.into(), &2.into()), "{status}");
+    let (code, said, message) = place.sweep(&[]);
+    assert_eq!((code, &said["run"], &said["reused"]), (Some(0), &2.into(), &4.into()), "{message}");
+    assert_eq!(without_times(&place.text("out/table.csv")), without_times(&table));
+}
+
 /// A point whose scene is wrong is a row with the reason, and so is one whose run fails; the others run; exit code 1.
 #[test]
 fn a_point_that_fails_is_a_row() {
@@ -127,6 +154,13 @@ fn a_point_that_fails_is_a_row() {
     );
     let worst = place.text("up/worst.csv");
     assert!(worst.contains("\nline_load_n_per_m,station 24.0 m,,"), "{worst}");
+    // what the landing whose nose went under bore before is not forgotten, and is marked
+    let cell = |row: &[&str], name: &str| row[head.iter().position(|own| *own == name).expect("a column")].to_string();
+    assert_eq!(cell(&rows[1], "load_factor.verdict"), "not_resolved", "{table}");
+    let factor = |row: &[&str]| cell(row, "load_factor").parse::<f64>().expect("a number");
+    let (_, cases) = csv(&worst);
+    let case = cases.iter().find(|row| row[0] == "load_factor").expect("a worst case");
+    assert_eq!(case[3].parse::<f64>().expect("a number"), factor(&rows[0]).max(factor(&rows[1])), "{worst}");
     assert!(place.text("up/sweep.html").contains("no band known"), "no load of a landing has a band");
     let again = place.command(&["up.toml", "--out", "up", "--json"]).output().expect("the command starts");
     let said: serde_json::Value = serde_json::from_slice(&again.stdout).expect("JSON");

@@ -46,6 +46,13 @@ pub enum JointKind {
     },
 }
 
+impl JointSpec {
+    /// CO38: the longest step [s] between solids a and b at the start; infinite without spring and damper.
+    pub fn longest_step(&self, solids: [Solid; 2]) -> f64 {
+        Joint::new(JointSpec { bodies: [0, 1], ..self.clone() }, &solids).stable_dt(&solids)
+    }
+}
+
 /// State of a joint.
 #[derive(Clone, Debug, PartialEq)]
 pub struct JointState {

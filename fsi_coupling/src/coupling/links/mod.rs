@@ -16,7 +16,7 @@ use sph_core::state_bytes::{StateError, expect_count};
 use sph_core::walls::Resultant;
 
 use self::joint::{Constraint, Joint, JointSpec, JointState, Memory};
-use self::rows::{Bound, Direction, Row, multipliers};
+use self::rows::{Bound, Direction, Row, energy_gained, multipliers, without_gain};
 use self::touch::{Touch, touches};
 use crate::bodies::state::Solid;
 use crate::coupling::error::CouplingError;
@@ -119,18 +119,22 @@ impl Links {
     fn apply_impulses(&mut self, members: &mut [Member], touches: &[Touch], dt: f64) -> Vec<f64> {
         let all = rigid(&solids(members));
         let (rows, constraints) = self.rows(touches, &all);
-        let free: Vec<f64> = rows
-            .iter()
-            .enumerate()
-            .map(|(k, row)| {
-                let speed = row.direction.speed(&all);
-                let closing = constraints.get(k).map_or(0.0, |held| CLOSING * held.error / dt);
-                let falling = BOUNCES * dt * row.direction.acceleration(&all).abs();
-                let bounces = row.bound == Bound::Push && speed < -falling;
-                if bounces { (1.0 + self.law.restitution) * speed } else { speed + closing }
-            })
-            .collect();
-        let found = multipliers(&rows, &all, &free);
+        let bounces = |row: &Row, speed: f64| {
+            row.bound == Bound::Push && speed < -BOUNCES * dt * row.direction.acceleration(&all).abs()
+        };
+        let speeds: Vec<f64> = rows.iter().map(|row| row.direction.speed(&all)).collect();
+        let after = |restitution: f64| {
+            let wanted = |(k, (row, speed)): (usize, (&Row, &f64))| match bounces(row, *speed) {
+                true => (1.0 + restitution) * speed,
+                false => speed + constraints.get(k).map_or(0.0, |held| CLOSING * held.error / dt),
+            };
+            let free: Vec<f64> = rows.iter().zip(&speeds).enumerate().map(wanted).collect();
+            multipliers(&rows, &all, &free)
+        };
+        let mut found = after(self.law.restitution);
+        if self.law.restitution > 0.0 && energy_gained(&rows, &all, &speeds, &found) > 0.0 {
+            found = without_gain(&rows, &all, &speeds, [&after(0.0), &found]);
+        }
         let mut whole = vec![Resultant::default(); members.len()];
         for (row, impulse) in rows.iter().zip(&found) {
             for (solid, impulse) in row.direction.solids.into_iter().zip(row.direction.resultants(*impulse)) {

@@ -136,6 +136,39 @@ pub fn multipliers(rows: &[Row], all: &[Solid], free: &[f64]) -> Vec<f64> {
     found
 }
 
+/// Share of a gain of energy in the work of the impulses that is rounding [-].
+const ROUNDING: f64 = 1e-12;
+
+/// CO37: kinetic energy that impulses λ give solids whose relative speeds were w, λ·w + ½ λ·J M⁻¹ Jᵀ λ [J/m]; 0 where it is rounding.
+pub fn energy_gained(rows: &[Row], all: &[Solid], speeds: &[f64], impulses: &[f64]) -> f64 {
+    let [linear, square] = work(rows, all, speeds, [impulses, impulses]);
+    let gained = linear + 0.5 * square;
+    if gained > ROUNDING * (linear.abs() + square) { gained } else { 0.0 }
+}
+
+/// CO37: impulses on the way from those without restitution, which take energy, to those with it: the last that give none. Both bounds of
+/// Coulomb's cone, the rows of joints and of contacts that do not bounce hold on the whole way, since they hold at both ends.
+pub fn without_gain(rows: &[Row], all: &[Solid], speeds: &[f64], [plastic, elastic]: [&[f64]; 2]) -> Vec<f64> {
+    let way: Vec<f64> = plastic.iter().zip(elastic).map(|(a, b)| b - a).collect();
+    let [linear, square] = work(rows, all, speeds, [&way, &way]);
+    let [start, own] = work(rows, all, speeds, [plastic, plastic]);
+    let [_, cross] = work(rows, all, speeds, [plastic, &way]);
+    // c + b s + a s²/2 = 0 with c ≤ 0: its root above 0, written without cancellation
+    let (a, b, c) = (square, linear + cross, (start + 0.5 * own).min(0.0));
+    let root = (b * b - 2.0 * a * c).max(0.0).sqrt();
+    let share = if b > 0.0 { -2.0 * c / (b + root) } else { (root - b) / a };
+    let share = if share.is_finite() { share.clamp(0.0, 1.0) } else { 0.0 };
+    plastic.iter().zip(&way).map(|(from, way)| from + share * way).collect()
+}
+
+/// λ_b·w and λ_a·J M⁻¹ Jᵀ λ_b [J/m].
+fn work(rows: &[Row], all: &[Solid], speeds: &[f64], [a, b]: [&[f64]; 2]) -> [f64; 2] {
+    let linear = b.iter().zip(speeds).map(|(impulse, speed)| impulse * speed).sum();
+    let moved =
+        |row: &Row| rows.iter().zip(b).map(|(other, b)| row.direction.coupling(&other.direction, all) * b).sum::<f64>();
+    [linear, rows.iter().zip(a).map(|(row, a)| a * moved(row)).sum()]
+}
+
 fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }

@@ -85,7 +85,11 @@ pub(super) fn touches(
             Some(pair) if linked => found.extend(between_convex([a, b], pair, gap)),
             _ => {
                 for [wall, owner] in [[a, b], [b, a]] {
-                    let Some(of_owner) = &corners[owner] else { continue };
+                    let of_owner = match &corners[owner] {
+                        Some(corners) => &corners.points,
+                        None if linked && corners[wall].is_some() => &members[owner].body.rims(),
+                        None => continue,
+                    };
                     let behind = behind(members, [wall, owner], of_owner, if linked { gap } else { 0.0 });
                     if linked {
                         found.extend(behind);
@@ -101,13 +105,13 @@ pub(super) fn touches(
 }
 
 /// Corners of a body at most `gap` [m] outside the surface of a wall, which pushes along its own normal there.
-fn behind(members: &[Member], solids: [usize; 2], of_owner: &Corners, gap: f64) -> Vec<Touch> {
+fn behind(members: &[Member], solids: [usize; 2], corners: &[[f64; 2]], gap: f64) -> Vec<Touch> {
     let wall = members[solids[0]].body.as_ref();
     let touch = |&at: &[f64; 2]| {
-        let depth = gap - wall.signed_distance(at);
-        (depth >= 0.0).then(|| Touch { solids, at, normal: wall.surface(at).normal, depth })
+        let (distance, surface) = wall.met_by_solid(at);
+        (gap >= distance).then_some(Touch { solids, at, normal: surface.normal, depth: gap - distance })
     };
-    of_owner.points.iter().filter_map(touch).collect()
+    corners.iter().filter_map(touch).collect()
 }
 
 /// Touches of two convex outlines: along the normal of the face that separates them best (separating axes; Gottschalk et al. 1996), at the

@@ -3,7 +3,21 @@
 use serde::{Deserialize, Serialize};
 
 use super::monotone::Monotone;
-use crate::entry_theory::{OutOfRange, Section};
+use crate::entry_theory::{EntryModel, OutOfRange, Section};
+
+/// Models that bear the sections of a landing.
+pub const OF_LANDINGS: [EntryModel; 3] = [EntryModel::VonKarman, EntryModel::Wagner, EntryModel::Mlm];
+
+/// A section outside the range of a model, with the model of a landing that holds for it, where there is one.
+pub(super) fn outside(refused: &OutOfRange, section: Option<&Section>) -> String {
+    let OutOfRange { what, range, .. } = refused;
+    let able = |model: &EntryModel| section.is_some_and(|section| model.covers(section, f64::INFINITY).is_ok());
+    let advice = match OF_LANDINGS.into_iter().find(able) {
+        Some(model) => format!("model = \"{}\" holds for it", model.name()),
+        None => "no model of a landing holds for it".to_string(),
+    };
+    format!("expected {range}, not {what}: {advice}")
+}
 
 /// Steepest angle between keel line and body axis [deg]: steeper ones are no slender body's.
 const STEEPEST_KEEL_DEG: f64 = 60.0;
@@ -103,9 +117,7 @@ impl Fuselage {
                         format!("radius {r} m: expected at least half the breadth, {} m", 0.5 * s.breadth),
                     );
                 }
-                form => {
-                    form.section(s.breadth).map_err(|e| FuselageError { station: k, why: format!("expected {e}") })?
-                }
+                form => form.section(s.breadth).map_err(|e| FuselageError { station: k, why: outside(&e, None) })?,
             };
         }
         let curve = |of: fn(&Station) -> f64| {

@@ -1,7 +1,7 @@
 //! What the sections of a fuselage bear.
 
-use super::fuselage::{Form, Fuselage, FuselageError};
-use crate::entry_theory::{EntryModel, Loads};
+use super::fuselage::{Form, Fuselage, FuselageError, outside};
+use crate::entry_theory::{EntryModel, Loads, OutOfRange};
 
 /// Forms that differ by less than this share are one.
 const ALIKE: f64 = 1e-6;
@@ -41,12 +41,13 @@ impl Hull {
         let mut kinds: Vec<Form> = Vec::new();
         let (mut forms, mut of_station) = (Vec::new(), Vec::new());
         for (station, s) in fuselage.stations().iter().enumerate() {
-            let refused = |e: crate::entry_theory::OutOfRange| FuselageError { station, why: format!("expected {e}") };
+            let refused = |e: OutOfRange| FuselageError { station, why: outside(&e, None) };
             let form = s.form.scaled(1.0 / s.breadth);
             let known = kinds.iter().position(|kind| alike(*kind, form));
             if known.is_none() {
                 let section = form.section(1.0).map_err(refused)?;
-                model.covers(&section, f64::INFINITY).map_err(refused)?;
+                let advised = |e: OutOfRange| FuselageError { station, why: outside(&e, Some(&section)) };
+                model.covers(&section, f64::INFINITY).map_err(advised)?;
                 forms.push(Loads::new(model, &section).map_err(refused)?);
                 kinds.push(form);
             }
@@ -122,5 +123,27 @@ fn alike(a: Form, b: Form) -> bool {
             (a / b - 1.0).abs() < ALIKE
         }
         _ => false,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::entry_theory::ditching::Station;
+
+    /// The advice was a model that landings refuse.
+    #[test]
+    fn a_section_outside_a_model_is_advised_of_a_model_of_landings() {
+        let refused = |model: EntryModel, deadrise: f64| {
+            let station = |x: f64| Station { x, keel: 0.0, breadth: 1.0, form: Form::DeadriseDeg(deadrise) };
+            let fuselage = Fuselage::new(&[station(0.0), station(5.0)]).expect("a fuselage");
+            Hull::new(fuselage, model).expect_err("a face out of range").why
+        };
+        assert!(
+            refused(EntryModel::Wagner, 50.0).ends_with("model = \"mlm\" holds for it"),
+            "{}",
+            refused(EntryModel::Wagner, 50.0)
+        );
+        assert!(refused(EntryModel::Mlm, 70.0).ends_with("no model of a landing holds for it"));
     }
 }

@@ -22,7 +22,7 @@ mod touchdown;
 pub use aeroplane::{Aeroplane, Water, Wing};
 pub use attitude::{Attitude, FREEDOMS, MODES};
 pub use bending::Bending;
-pub use fuselage::{Form, Fuselage, FuselageError, Keel, Station};
+pub use fuselage::{Form, Fuselage, FuselageError, Keel, OF_LANDINGS, Station};
 pub use hull::{Hull, SectionLoad};
 pub use landing::{Landing, LandingEnd, LandingResult, LandingState};
 pub use masses::Masses;

@@ -49,7 +49,7 @@ pub(crate) fn report(dir: &Path) -> Result<String, FolderError> {
     let toml = std::fs::read_to_string(dir.join("scene.resolved.toml")).unwrap_or_default();
     // a host's motion is not the scene's: neither theories of the scene nor its command say anything about the run
     let hosted = record.host.is_some();
-    let theories = run.scene.entry().filter(|_| !hosted);
+    let theories = run.scene.entry().filter(|_| !hosted && run.scene.bodies.is_empty());
     let repeat = if hosted { Vec::new() } else { again(dir) };
     let sections = [
         ("Curves", figure_blocks(&charts::figures(&run), HINT)),

@@ -22,6 +22,31 @@ pub(super) struct Drawing {
     pub unit_line: Option<usize>,
     /// Format, in words.
     pub format: &'static str,
+    /// Lines that are hidden in it, and are left out.
+    pub hidden: usize,
+    /// Names of the layers of lines that are read, each once.
+    pub layers: Vec<String>,
+}
+
+impl Drawing {
+    /// Keeps the name of a layer of a line that is read.
+    pub fn add_layer(&mut self, name: &str) {
+        if !self.layers.iter().any(|known| known == name) {
+            self.layers.push(name.to_string());
+        }
+    }
+
+    /// What was left out, or may be one line too many, in sentences.
+    pub fn told(&self) -> Vec<String> {
+        let hidden = (self.hidden > 0).then(|| format!("{} hidden lines are left out", self.hidden));
+        let several = (self.layers.len() > 1).then(|| {
+            format!(
+                "lines of the layers {} are read as one outline: body.outline_layer chooses one",
+                self.layers.join(", ")
+            )
+        });
+        hidden.into_iter().chain(several).collect()
+    }
 }
 
 impl Drawing {

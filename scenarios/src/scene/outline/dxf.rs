@@ -5,8 +5,12 @@ use crate::scene::data_file::{Fault, shortened};
 
 /// Curves that are not read; other entities, such as text, say nothing of the outline.
 const REFUSED: [&str; 5] = ["SPLINE", "ELLIPSE", "INSERT", "MLINE", "HELIX"];
+/// Largest component of a normal beside that along z [-].
+const TILTED: f64 = 1e-6;
 /// Larger radii have points that are no numbers.
 const LARGEST_RADIUS: f64 = 1e9;
+/// Entities that are read.
+const DRAWN: [&str; 5] = ["LINE", "LWPOLYLINE", "POLYLINE", "ARC", "CIRCLE"];
 const EXPECTED: &str = "LINE, LWPOLYLINE, POLYLINE, ARC or CIRCLE";
 
 /// A code and its value, with the line of the value.
@@ -23,21 +27,51 @@ struct Entity<'a> {
     groups: Vec<Group<'a>>,
 }
 
-pub(super) fn parse(text: &str) -> Result<Drawing, Fault> {
+/// The lines of a layer, or of all that are visible.
+pub(super) fn parse(text: &str, layer: Option<&str>) -> Result<Drawing, Fault> {
     let mut drawing = Drawing { format: "DXF", ..Drawing::default() };
     let (mut open, mut section) = (None, "");
-    for entity in entities(text)? {
+    let (entities, mut off, mut known, mut skips) = (entities(text)?, Vec::new(), Vec::new(), false);
+    for entity in entities {
         match (entity.name, section) {
             ("SECTION", _) => {
                 section = entity.groups.iter().find(|group| group.code == 2).map_or("", |group| group.value);
                 drawing.unit = drawing.unit.or(unit(&entity));
             }
             ("ENDSEC", _) => section = "",
-            (_, "ENTITIES") => read(&entity, &mut open, &mut drawing.pieces)?,
+            ("LAYER", "TABLES") if entity.is_off()? => off.extend(entity.text(2)),
+            // vertices and the end of a polyline are read or left out with it
+            ("VERTEX" | "SEQEND", "ENTITIES") if skips => {}
+            (_, "ENTITIES") => {
+                let of = entity.text(8).unwrap_or("0");
+                let draws = DRAWN.contains(&entity.name) || REFUSED.contains(&entity.name);
+                if draws && !known.contains(&of) {
+                    known.push(of);
+                }
+                let hidden = entity.number(60, Some(0.0))? != 0.0 || off.contains(&of) && layer.is_none();
+                let other = layer.is_some_and(|layer| !layer.eq_ignore_ascii_case(of));
+                let part = matches!(entity.name, "VERTEX" | "SEQEND");
+                if !part {
+                    skips = draws && (hidden || other);
+                    drawing.hidden += usize::from(draws && hidden && !other);
+                }
+                if !skips {
+                    if draws {
+                        drawing.add_layer(of);
+                    }
+                    read(&entity, &mut open, &mut drawing.pieces)?;
+                }
+            }
             _ => {}
         }
     }
-    Ok(drawing)
+    match layer.filter(|_| drawing.pieces.is_empty()) {
+        Some(layer) => {
+            let given = format!("no line on the layer `{}`", shortened(layer));
+            Err(Fault::new(1, given, format!("one of the layers with lines: {}", known.join(", "))))
+        }
+        None => Ok(drawing),
+    }
 }
 
 /// The file's pairs of lines, by entity.
@@ -75,7 +109,7 @@ fn unit(section: &Entity) -> Option<f64> {
     }
 }
 
-impl Entity<'_> {
+impl<'a> Entity<'a> {
     /// The number of a group; `usual` where it is absent.
     fn number(&self, code: i32, usual: Option<f64>) -> Result<f64, Fault> {
         match self.groups.iter().find(|group| group.code == code) {
@@ -86,6 +120,31 @@ impl Entity<'_> {
 
     fn point(&self, x: i32) -> Result<[f64; 2], Fault> {
         Ok([self.number(x, None)?, self.number(x + 10, None)?])
+    }
+
+    /// The text of a group.
+    fn text(&self, code: i32) -> Option<&'a str> {
+        self.groups.iter().find(|group| group.code == code).map(|group| group.value)
+    }
+
+    /// True for a layer that is switched off or frozen.
+    fn is_off(&self) -> Result<bool, Fault> {
+        Ok(self.number(62, Some(0.0))? < 0.0 || self.number(70, Some(0.0))? as i64 & 1 == 1)
+    }
+
+    /// Direction of x of the entity's own axes in the drawing, 1 or -1: its normal is z or, seen from behind, -z, with x turned round.
+    fn direction(&self) -> Result<f64, Fault> {
+        let normal = [self.number(210, Some(0.0))?, self.number(220, Some(0.0))?, self.number(230, Some(1.0))?];
+        let flat = normal[0].abs() < TILTED && normal[1].abs() < TILTED;
+        match normal[2] {
+            z if flat && z > 0.0 => Ok(1.0),
+            z if flat && z < 0.0 => Ok(-1.0),
+            _ => Err(Fault::new(
+                self.line,
+                format!("the normal {normal:?} of {}", shortened(self.name)),
+                "a drawing in the plane of x and y",
+            )),
+        }
     }
 
     fn is_closed(&self) -> Result<bool, Fault> {
@@ -99,15 +158,16 @@ fn finite(group: &Group) -> Result<f64, Fault> {
 }
 
 /// A polyline on its way: its vertices with their bulges.
-#[derive(Default)]
 struct Open {
     closed: bool,
+    /// Direction of x of its own axes.
+    direction: f64,
     vertices: Vec<(Placed, f64)>,
 }
 
 impl Open {
     fn piece(self) -> Vec<Placed> {
-        let Open { closed, vertices } = self;
+        let Open { closed, direction, vertices } = self;
         let mut piece: Vec<Placed> = vertices.first().map(|(first, _)| *first).into_iter().collect();
         for pair in vertices.windows(2) {
             piece.extend(bulged(pair[1].0.0, pair[0].0.1, pair[1].0.1, pair[0].1));
@@ -115,8 +175,16 @@ impl Open {
         if let (true, [first, .., last]) = (closed, vertices.as_slice()) {
             piece.extend(bulged(last.0.0, last.0.1, first.0.1, last.1));
         }
-        piece
+        turned(piece, direction)
     }
+}
+
+/// A piece in the drawing's axes.
+fn turned(mut piece: Vec<Placed>, direction: f64) -> Vec<Placed> {
+    if direction < 0.0 {
+        piece.iter_mut().for_each(|(_, [x, _])| *x = 0.0 - *x);
+    }
+    piece
 }
 
 /// The piece of an entity; of a POLYLINE once its end is reached.
@@ -132,10 +200,17 @@ fn read(entity: &Entity, open: &mut Option<Open>, pieces: &mut Vec<Vec<Placed>>)
             let circle = entity.name == "CIRCLE";
             let [from, to] = [entity.number(50, circle.then_some(0.0))?, entity.number(51, circle.then_some(360.0))?];
             let to = from + (to - from).rem_euclid(360.0);
-            pieces.push(arc(line, centre, radius, from, if to > from { to } else { from + 360.0 }));
+            let arc = arc(line, centre, radius, from, if to > from { to } else { from + 360.0 });
+            pieces.push(turned(arc, entity.direction()?));
         }
-        "LWPOLYLINE" => pieces.push(Open { closed: entity.is_closed()?, vertices: vertices(entity)? }.piece()),
-        "POLYLINE" => *open = Some(Open { closed: entity.is_closed()?, ..Open::default() }),
+        "LWPOLYLINE" => {
+            let (closed, direction) = (entity.is_closed()?, entity.direction()?);
+            pieces.push(Open { closed, direction, vertices: vertices(entity)? }.piece());
+        }
+        "POLYLINE" => {
+            let (closed, direction) = (entity.is_closed()?, entity.direction()?);
+            *open = Some(Open { closed, direction, vertices: Vec::new() });
+        }
         "VERTEX" => {
             let vertex = ((line, entity.point(10)?), entity.number(42, Some(0.0))?);
             if let Some(open) = open {
@@ -171,7 +246,43 @@ mod tests {
     use super::*;
 
     fn of(entities: &str) -> Result<Drawing, Fault> {
-        parse(&format!("0\nSECTION\n2\nENTITIES\n{entities}0\nENDSEC\n0\nEOF\n"))
+        parse(&format!("0\nSECTION\n2\nENTITIES\n{entities}0\nENDSEC\n0\nEOF\n"), None)
+    }
+
+    /// Seen from behind, its own x runs against that of the drawing; a circle at x = 2 stands at -2.
+    #[test]
+    fn an_entity_whose_normal_points_down_is_not_mirrored() {
+        let behind = "210\n0\n220\n0\n230\n-1\n";
+        let polyline = format!("0\nLWPOLYLINE\n90\n3\n70\n1\n{behind}10\n0\n20\n0\n10\n3\n20\n0\n10\n3\n20\n1\n");
+        let points: Vec<_> = of(&polyline).expect("a polyline").pieces[0].iter().map(|(_, at)| *at).collect();
+        assert_eq!(points[..3], [[0.0, 0.0], [-3.0, 0.0], [-3.0, 1.0]]);
+        let circle = of(&format!("0\nCIRCLE\n10\n2\n20\n0\n40\n1\n{behind}")).expect("a circle");
+        assert!(circle.pieces[0].iter().all(|(_, [x, _])| (-3.0..=-1.0).contains(x)));
+        let tilted = of("0\nCIRCLE\n10\n2\n20\n0\n40\n1\n210\n1\n220\n0\n230\n0\n").expect_err("a tilted circle");
+        assert!(tilted.expected.contains("plane of x and y"), "{tilted:?}");
+    }
+
+    /// A hull on one layer, aids on another one that is off; and one of both by its name.
+    #[test]
+    fn hidden_layers_are_left_out_and_a_layer_can_be_chosen() {
+        let line = |layer: &str, y: i32| format!("0\nLINE\n8\n{layer}\n10\n0\n20\n{y}\n11\n1\n21\n{y}\n");
+        let file = |colour: i32| {
+            format!(
+                "0\nSECTION\n2\nTABLES\n0\nLAYER\n2\naids\n70\n0\n62\n{colour}\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n{}{}0\nENDSEC\n0\nEOF\n",
+                line("hull", 0),
+                line("aids", 5)
+            )
+        };
+        let of = |text: &str, layer| parse(text, layer).expect("a drawing");
+        let hidden = of(&file(-7), None);
+        assert_eq!((hidden.pieces.len(), hidden.hidden, hidden.told().len()), (1, 1, 1));
+        assert!(hidden.told()[0].contains("1 hidden"), "{:?}", hidden.told());
+        let both = of(&file(7), None);
+        assert!(both.pieces.len() == 2 && both.told()[0].contains("hull, aids"), "{:?}", both.told());
+        let one = of(&file(-7), Some("AIDS"));
+        assert_eq!((one.pieces.len(), one.pieces[0][0].1, one.told().len()), (1, [0.0, 5.0], 0));
+        let none = parse(&file(7), Some("deck")).expect_err("no such layer");
+        assert!(none.expected.contains("hull, aids"), "{none:?}");
     }
 
     #[test]
@@ -188,14 +299,14 @@ mod tests {
     #[test]
     fn the_header_names_the_unit() {
         let text = "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n0\nLINE\n10\n0\n20\n0\n11\n1\n21\n0\n0\nENDSEC\n";
-        assert_eq!(parse(text).expect("a drawing").unit, Some(1e-3));
+        assert_eq!(parse(text, None).expect("a drawing").unit, Some(1e-3));
     }
 
     #[test]
     fn curves_and_broken_pairs_are_refused_with_their_line() {
         assert_eq!(of("0\nSPLINE\n10\n0\n").expect_err("a curve").line, 6);
         assert_eq!(of("0\nLINE\n10\nabc\n").expect_err("no number").line, 8);
-        assert_eq!(parse("AutoCAD Binary DXF\n\n").expect_err("binary").line, 1);
+        assert_eq!(parse("AutoCAD Binary DXF\n\n", None).expect_err("binary").line, 1);
         assert!(of("0\nLINE\n10\n0\n").is_err());
     }
 }

@@ -17,6 +17,7 @@ use super::data_file::{DataFile, Fault, shortened};
 const SAME_POINT: f64 = 1e-7;
 const KEY: &str = "body.outline";
 const UNIT_KEY: &str = "body.outline_unit";
+const LAYER_KEY: &str = "body.outline_layer";
 const KIND: &str = "a file of points (.csv, .txt, .dat, .dxf or .svg)";
 
 /// What was understood of a file of points.
@@ -60,12 +61,18 @@ pub(super) struct Stations {
 pub(super) struct Settled {
     pub report: OutlineReport,
     pub stations: Stations,
+    /// What was left out of the file, in sentences.
+    pub told: Vec<String>,
 }
 
 /// Replaces `body.outline` by the points of the file that it names.
 pub(super) fn settle(given: &mut Value, scene_file: &str) -> Result<Option<Settled>, Problem> {
     let Some(body) = given.get_mut("body").and_then(Value::as_object_mut) else { return Ok(None) };
-    let Some(name) = body.get("outline").and_then(Value::as_str).map(str::to_string) else { return Ok(None) };
+    let Some(name) = body.get("outline").and_then(Value::as_str).map(str::to_string) else {
+        let alone = body.get("outline_layer");
+        return alone
+            .map_or(Ok(None), |layer| Err(Problem::new(LAYER_KEY, layer, "body.outline, a DXF or an SVG, beside it")));
+    };
     let refuse = |expected: &str| Err(Problem::new(KEY, format!("{name:?}"), expected));
     if body.contains_key("points") {
         return refuse("no body.points beside it: the file has the points");
@@ -80,11 +87,14 @@ pub(super) fn settle(given: &mut Value, scene_file: &str) -> Result<Option<Settl
         None => None,
         Some(unit) => Some(unit_of(unit)?),
     };
+    let layer = body.get("outline_layer").and_then(Value::as_str).map(str::to_string);
     let file = DataFile::read(scene_file, KEY, &name, KIND)?;
-    let settled = understood(&file, unit, closed).map_err(|fault| file.problem(fault))?;
+    let asked = Asked { unit, layer: layer.as_deref() };
+    let settled = understood(&file, &asked, closed).map_err(|fault| file.problem(fault))?;
     let (points, settled) = settled;
     body.remove("outline");
     body.remove("outline_unit");
+    body.remove("outline_layer");
     body.insert("shape".into(), shape);
     body.insert("points".into(), json!(points));
     Ok(Some(settled))
@@ -97,20 +107,38 @@ fn unit_of(given: &Value) -> Result<f64, Problem> {
     length.and_then(Result::ok).ok_or_else(|| Problem::new(UNIT_KEY, given, expected))
 }
 
-fn read(file: &DataFile) -> Result<Drawing, Fault> {
+/// What the scene says of a file of points.
+#[derive(Clone, Copy, Default)]
+struct Asked<'a> {
+    /// Its unit [m].
+    unit: Option<f64>,
+    /// A layer of a drawing.
+    layer: Option<&'a str>,
+}
+
+fn read(file: &DataFile, layer: Option<&str>) -> Result<Drawing, Fault> {
     let ending = file.name.rsplit_once('.').map_or(String::new(), |(_, ending)| ending.to_lowercase());
+    if let (Some(_), "csv" | "txt" | "tsv" | "dat") = (layer, ending.as_str()) {
+        return Err(Fault::new(
+            1,
+            "a table of points",
+            format!("a DXF or an SVG beside {LAYER_KEY}, or no {LAYER_KEY}"),
+        ));
+    }
     match ending.as_str() {
         "csv" | "txt" | "tsv" => table::parse(&file.text, false),
         "dat" => table::parse(&file.text, true),
-        "dxf" => dxf::parse(&file.text),
-        "svg" => svg::parse(&file.text),
+        "dxf" => dxf::parse(&file.text, layer),
+        "svg" => svg::parse(&file.text, layer),
         _ => Err(Fault::new(1, format!("the ending `.{}`", shortened(&ending)), ".csv, .txt, .dat, .dxf or .svg")),
     }
 }
 
 /// The points of a body, and what was understood of a file.
-fn understood(file: &DataFile, unit: Option<f64>, closed: bool) -> Result<(Vec<[f64; 2]>, Settled), Fault> {
-    let drawing = read(file)?;
+fn understood(file: &DataFile, asked: &Asked, closed: bool) -> Result<(Vec<[f64; 2]>, Settled), Fault> {
+    let Asked { unit, layer } = *asked;
+    let drawing = read(file, layer)?;
+    let told = drawing.told().into_iter().map(|what| format!("{KEY} {:?}: {what}", file.name)).collect();
     if let (Some(wanted), Some(stated), Some(line)) = (unit, drawing.unit, drawing.unit_line)
         && (wanted - stated).abs() > 1e-9 * wanted
     {
@@ -170,7 +198,7 @@ fn understood(file: &DataFile, unit: Option<f64>, closed: bool) -> Result<(Vec<[
         bounding_box_m: [low, high],
         area_m2: closed.then(|| polygon::signed_area(&points)),
     };
-    Ok((points, Settled { report, stations: Stations { points: stations, reversed, closed } }))
+    Ok((points, Settled { report, stations: Stations { points: stations, reversed, closed }, told }))
 }
 
 /// Refuses an outline that crosses or touches itself, with the place and the lines of both sides.
@@ -227,7 +255,7 @@ mod tests {
 
     fn outline(name: &str, text: &str) -> Result<(Vec<[f64; 2]>, Settled), Fault> {
         let file = DataFile { key: KEY, name, text: text.to_string() };
-        understood(&file, None, true)
+        understood(&file, &Asked::default(), true)
     }
 
     #[test]

@@ -5,6 +5,8 @@ use crate::scene::data_file::{Fault, shortened};
 
 /// Elements that are drawn and are not read.
 const REFUSED: [&str; 3] = ["circle", "ellipse", "use"];
+/// Elements that are read.
+const DRAWN: [&str; 5] = ["polygon", "polyline", "line", "rect", "path"];
 const EXPECTED: &str = "a polygon, a polyline, a rect, lines or a path";
 
 /// An element's start tag.
@@ -12,6 +14,31 @@ struct Tag<'a> {
     line: usize,
     name: &'a str,
     attributes: Vec<(&'a str, &'a str)>,
+    /// Names of the groups that it is in, and its own: ids and labels.
+    groups: Vec<&'a str>,
+    /// It, or a group that it is in, is not displayed.
+    hidden: bool,
+}
+
+/// An element that is open.
+struct Container<'a> {
+    name: &'a str,
+    groups: Vec<&'a str>,
+    hidden: bool,
+}
+
+/// Ids and labels of an element.
+fn names<'a>(attributes: &[(&'a str, &'a str)]) -> Vec<&'a str> {
+    attributes.iter().filter(|(name, _)| ["id", "inkscape:label"].contains(name)).map(|(_, value)| *value).collect()
+}
+
+/// True for an element that is not displayed.
+fn is_hidden(attributes: &[(&str, &str)]) -> bool {
+    let get = |name: &str| attributes.iter().find(|(known, _)| *known == name).map_or("", |(_, value)| value.trim());
+    let style: String = get("style").chars().filter(|c| !c.is_whitespace()).collect();
+    get("display") == "none"
+        || ["hidden", "collapse"].contains(&get("visibility"))
+        || ["display:none", "visibility:hidden"].iter().any(|part| style.split(';').any(|own| own == *part))
 }
 
 impl<'a> Tag<'a> {
@@ -31,11 +58,21 @@ fn finite(text: &str, line: usize) -> Result<f64, Fault> {
     value.ok_or_else(|| Fault::new(line, format!("`{}`", shortened(text)), "a finite number"))
 }
 
-pub(super) fn parse(text: &str) -> Result<Drawing, Fault> {
+/// The lines of a group, by its id or label, or of all that are visible.
+pub(super) fn parse(text: &str, layer: Option<&str>) -> Result<Drawing, Fault> {
     let mut drawing = Drawing { format: "SVG", ..Drawing::default() };
-    let mut is_svg = false;
+    let (mut is_svg, mut known) = (false, Vec::new());
     for tag in tags(text)? {
         let line = tag.line;
+        let draws = DRAWN.contains(&tag.name) || REFUSED.contains(&tag.name);
+        if draws {
+            known.extend(tag.groups.iter().copied().filter(|name| !known.contains(name)).collect::<Vec<_>>());
+        }
+        let other = layer.is_some_and(|layer| !tag.groups.contains(&layer));
+        if draws && (other || tag.hidden && layer.is_none()) {
+            drawing.hidden += usize::from(!other);
+            continue;
+        }
         if let Some(transform) = tag.get("transform") {
             return Err(Fault::new(
                 line,
@@ -75,6 +112,10 @@ pub(super) fn parse(text: &str) -> Result<Drawing, Fault> {
     if !is_svg {
         return Err(Fault::new(1, "no <svg> element", "an SVG drawing"));
     }
+    if let Some(layer) = layer.filter(|_| drawing.pieces.is_empty()) {
+        let given = format!("no line in a group `{}`", shortened(layer));
+        return Err(Fault::new(1, given, format!("an id or label of those with lines: {}", known.join(", "))));
+    }
     drawing.pieces.iter_mut().flatten().for_each(|(_, [_, y])| *y = 0.0 - *y);
     Ok(drawing)
 }
@@ -84,6 +125,7 @@ fn tags(text: &str) -> Result<Vec<Tag<'_>>, Fault> {
     let line_of = |at: usize| 1 + text.as_bytes()[..at].iter().filter(|byte| **byte == b'\n').count();
     let mut tags = Vec::new();
     let (mut at, mut line, mut counted, mut definitions) = (0, 1, 0, 0_usize);
+    let mut open: Vec<Container> = Vec::new();
     while let Some(start) = text[at..].find('<').map(|start| at + start) {
         line += text.as_bytes()[counted..start].iter().filter(|byte| **byte == b'\n').count();
         counted = start;
@@ -110,8 +152,20 @@ fn tags(text: &str) -> Result<Vec<Tag<'_>>, Fault> {
                 (false, false) => definitions += 1,
                 (false, true) => {}
             }
-        } else if definitions == 0 && !content.starts_with('/') {
-            tags.push(Tag { line, name, attributes: attributes(content) });
+        } else if definitions == 0 && content.starts_with('/') {
+            let from = open.iter().rposition(|container| container.name == name);
+            open.truncate(from.unwrap_or(open.len()));
+        } else if definitions == 0 {
+            let attributes = attributes(content);
+            let (mut groups, mut hidden) = (names(&attributes), is_hidden(&attributes));
+            if let Some(around) = open.last() {
+                groups.extend(&around.groups);
+                hidden |= around.hidden;
+            }
+            if !content.ends_with('/') {
+                open.push(Container { name, groups: groups.clone(), hidden });
+            }
+            tags.push(Tag { line, name, attributes, groups, hidden });
         }
     }
     Ok(tags)
@@ -225,14 +279,32 @@ mod tests {
 
     #[test]
     fn polygons_and_paths_are_read_with_y_up() {
-        let polygon = parse("<svg>\n<!-- <polygon points='9'/> -->\n<polygon points=\"0,0 1,0 1,-1\"/></svg>")
+        let polygon = parse("<svg>\n<!-- <polygon points='9'/> -->\n<polygon points=\"0,0 1,0 1,-1\"/></svg>", None)
             .expect("a drawing");
         assert_eq!(polygon.pieces[0], [(3, [0.0, 0.0]), (3, [1.0, 0.0]), (3, [1.0, 1.0]), (3, [0.0, 0.0])]);
-        let path = parse("<svg width=\"100mm\" viewBox=\"0 0 200 50\"><path d=\"M0,0h1e1v-5.5L0-5.5z\"/></svg>")
+        let path = parse("<svg width=\"100mm\" viewBox=\"0 0 200 50\"><path d=\"M0,0h1e1v-5.5L0-5.5z\"/></svg>", None)
             .expect("a path");
         let points: Vec<_> = path.pieces[0].iter().map(|(_, p)| *p).collect();
         assert_eq!(points, [[0.0, 0.0], [10.0, 0.0], [10.0, 5.5], [0.0, 5.5], [0.0, 0.0]]);
         assert_eq!(path.unit, Some(5e-4));
+    }
+
+    /// A layer that is not displayed, an aid that is not visible; and the layer by its label.
+    #[test]
+    fn hidden_groups_are_left_out_and_a_group_can_be_chosen() {
+        let text = "<svg>\n<g id='g1' inkscape:label='hull'><polygon points='0,0 1,0 1,-1'/></g>\n\
+                    <g inkscape:label='old' style='display: none; fill:red'><g><line x2='5' y2='5'/></g></g>\n\
+                    <line x2='7' y2='7' visibility='hidden'/></svg>";
+        let all = parse(text, None).expect("a drawing");
+        assert_eq!((all.pieces.len(), all.hidden), (1, 2));
+        assert!(all.told()[0].contains("2 hidden"), "{:?}", all.told());
+        for name in ["hull", "g1"] {
+            assert_eq!(parse(text, Some(name)).expect("a group").pieces, all.pieces);
+        }
+        let old = parse(text, Some("old")).expect("a hidden group that is asked for");
+        assert_eq!(old.pieces[0][1].1, [5.0, -5.0]);
+        let none = parse(text, Some("deck")).expect_err("no such group");
+        assert!(none.expected.contains("hull") && none.expected.contains("old"), "{none:?}");
     }
 
     #[test]
@@ -246,7 +318,7 @@ mod tests {
             ("<svg>\n<polygon", 2, "<polygon"),
             ("<html></html>", 1, "no <svg>"),
         ] {
-            let fault = parse(text).expect_err(text);
+            let fault = parse(text, None).expect_err(text);
             assert!(fault.line == line && fault.given.contains(part), "{text}: {fault:?}");
         }
     }

@@ -31,7 +31,7 @@ pub(super) fn parse(text: &str, is_dat: bool) -> Result<Drawing, Fault> {
         }
     }
     let unit_line = has_unit.then_some(table.header_line);
-    Ok(Drawing { pieces: vec![points], unit: has_unit.then_some(unit), unit_line, format })
+    Ok(Drawing { pieces: vec![points], unit: has_unit.then_some(unit), unit_line, format, ..Drawing::default() })
 }
 
 /// The text with its first line that says something as a comment, unless it is of numbers.

@@ -31,8 +31,11 @@ pub struct Body {
     /// that which the file states, else m.
     #[serde(default, skip_serializing)]
     pub outline_unit: Option<String>,
+    /// Layer of a DXF, or id or label of a group of an SVG, that has the outline. absent: all lines that are visible.
+    #[serde(default, skip_serializing)]
+    pub outline_layer: Option<String>,
     /// Table of the motion, motion = "tabulated", below the folder of the scene's file: a header of t and x, y, angle, or the velocities
-    /// vx, vy, omega, with units such as y [mm]. Displacements count from the first row; velocities are linear between rows.
+    /// vx, vy, omega, each with its unit in brackets, such as mm. Displacements count from the first row; velocities are linear between rows.
     #[serde(default, skip_serializing)]
     pub motion_file: Option<String>,
     /// Centre of mass x, y in the body's frame, without the panels [m]. The frame's origin is a wedge's keel, an arc's lowest
@@ -244,6 +247,12 @@ impl Body {
     pub(in crate::scene) fn short_table(&self, end: f64) -> Option<String> {
         let Motion::Tabulated(table) = &self.motion else { return None };
         table.short(&self.name, end)
+    }
+
+    /// Where a table of its places has a velocity that jumps.
+    pub(in crate::scene) fn kinks(&self) -> Option<String> {
+        let Motion::Tabulated(table) = &self.motion else { return None };
+        table.kinks(&self.name)
     }
 
     /// Whether all of it is under the still water at t = 0.

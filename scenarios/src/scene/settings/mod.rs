@@ -202,8 +202,8 @@ pub struct Resolution {
     #[serde(default = "usual::growth")]
     #[schemars(range(min = 1.0, max = 2.0))]
     pub growth: f64,
-    /// Half width from the body's middle and depth below still water of the fine zone [m]. auto: it holds the spray root to the
-    /// end, or the whole tank without an impact.
+    /// Half width from the body's middle (of several, midway between the ends of those that move) and depth below still water of the
+    /// fine zone [m]. auto: it holds all spray roots to the end, or the whole tank without an impact.
     #[schemars(with = "Auto<[f64; 2]>", extend("x-default" = "auto"))]
     pub fine_zone: [f64; 2],
     /// Arrangement of particles in uniform water (INDAT lattice 1 | 2: SC | BCC). staggered: body-centred squares of side sqrt(2)
@@ -292,11 +292,6 @@ impl Scene {
     /// All bodies: the first, then the further ones.
     pub fn all_bodies(&self) -> impl Iterator<Item = &Body> {
         self.body.iter().chain(&self.bodies)
-    }
-
-    /// x of the fine zone's middle [m]: the body's, or the tank's where there is no body.
-    pub fn fine_zone_center(&self) -> f64 {
-        self.body.as_ref().map_or(0.0, Body::middle)
     }
 
     /// Largest x or y distance of the point from the fine zone [m], shape (2) to scalar; 0 inside it and above it.

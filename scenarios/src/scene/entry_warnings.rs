@@ -1,0 +1,170 @@
+//! What is doubtful about the entry of each body of a scene, told before the run.
+
+use std::f64::consts::FRAC_PI_2;
+
+use super::air_warnings::{flat_contact, vapour};
+use super::auto::WATER_SOUND;
+use super::bottom::Bottom;
+use super::impact::{Entry, LEAST_DRAUGHT, jet_reach, known_compressibility_error, sound_speed_for};
+use super::settings::{Body, Motion, Scene};
+use fsi_coupling::Shape;
+use fsi_coupling::settings::significant;
+
+/// Spacings across the length with 90 % of the peak pressure: 17 give the peak to 2–4 %, 5 to 25 %.
+const PEAK_SPACINGS: f64 = 17.0;
+
+/// Draught over spacing from which the force of an entry is within 1 %.
+const STARTING_DRAUGHT: f64 = 16.0;
+
+/// Warnings about each body that enters the water, or that falls short of it.
+pub(super) fn entry_warnings(scene: &Scene) -> Vec<String> {
+    let of = |(body, entry): (&Body, Entry)| {
+        let warnings = match entry.final_draught > 0.0 {
+            true => of_entry(scene, body, &entry),
+            false => vec![short_of_water(&entry)],
+        };
+        let about = scene.about(body);
+        warnings.into_iter().map(move |warning| format!("{about}{warning}")).collect::<Vec<_>>()
+    };
+    scene.entries().into_iter().flat_map(of).chain(held_entries(scene)).collect()
+}
+
+/// Bodies that move down into the water and that joints hold: no automatic value knows of their entry.
+fn held_entries(scene: &Scene) -> Vec<String> {
+    let told = |(body, entry): (&Body, Entry)| {
+        let wanted = sound_speed_for(scene.solver.water().compressibility_error, entry.root_speed());
+        let slow = !scene.solver.is_incompressible() && scene.sound_speed() < wanted;
+        (slow && body.velocity[1] < 0.0 && entry.final_draught > 0.0).then(|| {
+            format!(
+                "{}a joint holds it, and the automatic values leave its entry out: alone it would have fluid.sound_speed = {} m/s",
+                scene.about(body),
+                significant(wanted)
+            )
+        })
+    };
+    scene.held_entries().into_iter().filter_map(told).collect()
+}
+
+/// What compressibility takes of the force on each body.
+pub(super) fn lost_forces(scene: &Scene) -> Vec<String> {
+    let entries = scene.entries();
+    let wet = entries.iter().filter(|(_, entry)| entry.final_draught > 0.0);
+    wet.filter_map(|(body, entry)| Some(scene.about(body) + &lost_force(scene, body, entry)?)).collect()
+}
+
+/// Bodies that end their run in the air.
+pub(super) fn short_of_water_all(scene: &Scene) -> Vec<String> {
+    let entries = scene.entries();
+    let dry = entries.iter().filter(|(_, entry)| entry.final_draught <= 0.0);
+    dry.map(|(body, entry)| scene.about(body) + &short_of_water(entry)).collect()
+}
+
+/// A body that ends its run in the air.
+fn short_of_water(entry: &Entry) -> String {
+    let above = significant(-entry.final_draught);
+    format!("the body does not reach the water: at the end of the run it is {above} m above it")
+}
+
+/// What compressibility takes of an impact's force.
+fn lost_force(scene: &Scene, body: &Body, entry: &Entry) -> Option<String> {
+    if scene.is_cushioned_by(body, entry) {
+        return None; // as soft as it is meant to be
+    }
+    let (root, sound) = (entry.root_speed(), scene.sound_speed());
+    let cure = match sound < WATER_SOUND {
+        true => "raise fluid.sound_speed",
+        false => "sound is as fast as in water, where the force is lower as well",
+    };
+    match known_compressibility_error(root, sound) {
+        None => Some(format!(
+            "the spray root starts at Mach {}: what compressibility takes of the force is known up to 0.3; {cure}",
+            significant(root / sound)
+        )),
+        Some(error) if error > scene.solver.water().compressibility_error * (1.0 + 1e-9) => Some(format!(
+            "compressibility takes about {} % of the force at Mach {} of the spray root; fluid.compressibility_error \
+             admits {} %: {cure}",
+            significant(100.0 * error),
+            significant(root / sound),
+            significant(100.0 * scene.solver.water().compressibility_error)
+        )),
+        Some(_) => None,
+    }
+}
+
+fn of_entry(scene: &Scene, body: &Body, entry: &Entry) -> Vec<String> {
+    let spacing = scene.resolution.spacing;
+    let mut warnings = Vec::new();
+    let draught = entry.final_draught;
+    if draught < STARTING_DRAUGHT * spacing && !scene.is_cushioned_by(body, entry) {
+        warnings.push(format!(
+            "the draught at the end is {} spacings; below {STARTING_DRAUGHT} the force is off by over 1 %: {} m would do",
+            significant(draught / spacing),
+            significant(0.99 * draught / STARTING_DRAUGHT)
+        ));
+    }
+
+    warnings.extend(flat_contact(scene, body, entry));
+    warnings.extend(vapour(scene, entry));
+    let peak = entry.peak_draught / spacing;
+    if matches!(entry.bottom, Bottom::Wedge { .. }) && !entry.is_flat() && peak < LEAST_DRAUGHT {
+        warnings.push(format!(
+            "the largest force comes at a draught of about {} spacings, and the run will not give it as resolved: {} m would do \
+             for resolution.spacing",
+            significant(peak),
+            significant(entry.peak_draught / LEAST_DRAUGHT)
+        ));
+    }
+
+    let across = entry.peak_length() / spacing;
+    if across < PEAK_SPACINGS && !entry.is_flat() {
+        warnings.push(format!(
+            "peak pressure unreliable: {} spacings across the face near the peak (5 give it to 25 %, {PEAK_SPACINGS} to 2-4 %); \
+             {} m would do for resolution.spacing",
+            significant(across),
+            significant(entry.peak_length() / PEAK_SPACINGS)
+        ));
+    }
+
+    if draught >= scene.tank.depth {
+        warnings.push(format!(
+            "the body may reach the floor: draught {} m at the end, depth {} m",
+            significant(draught),
+            significant(scene.tank.depth)
+        ));
+    }
+
+    warnings.extend(past_the_chine(scene, body, entry));
+    warnings
+}
+
+/// The warning about an upright wedge at constant speed whose jet, or spray root, passes the chine before the end.
+fn past_the_chine(scene: &Scene, body: &Body, entry: &Entry) -> Option<String> {
+    let Shape::Wedge { deadrise_deg, breadth, .. } = body.shape else { return None };
+    let upright = body.angle_deg == 0.0 && body.angular_velocity_deg_per_s == 0.0 && body.velocity[0] == 0.0;
+    if body.motion != Motion::ConstantVelocity || !upright {
+        return None;
+    }
+    let (end, chine, keel) = (scene.time.end, 0.5 * breadth, body.position[1]);
+    let root = FRAC_PI_2 / deadrise_deg.to_radians().tan();
+    // the keel meets the water at −keel/V before or after the run's start
+    let passes = |reach: f64| (chine / reach + keel) / entry.speed;
+    let tip = jet_reach(deadrise_deg).unwrap_or(root);
+    let needed = significant(2.0 * tip * entry.final_draught);
+    let remedy = format!("body.breadth = {needed} m would keep the jet on the face");
+    if passes(root) < end {
+        return Some(format!(
+            "the spray root passes the chine at {} s and would be at {} m at the end, past the chine at {} m, where the \
+             similarity solution ends: the face is wetted to its end, and the force no longer grows with it; {remedy}",
+            significant(passes(root)),
+            significant(root * entry.final_draught),
+            significant(chine),
+        ));
+    }
+    (passes(tip) < end).then(|| {
+        format!(
+            "the jet's tip passes the chine at {} s and leaves the face: the force falls below the similarity solution's a \
+             little (20 deg, breadth 12 m: by 2 % at 1.3 times that time); {remedy}",
+            significant(passes(tip))
+        )
+    })
+}
