@@ -76,7 +76,8 @@ pub(super) fn resolve(mut draft: Draft) -> Result<Scene, Problem> {
     let gentle = body.is_none() && tank.as_ref().is_some_and(Tank::is_full);
     let under_water = tank.as_ref().is_some_and(|tank| tank.block_from.is_none())
         && bodies.iter().any(|body| body.starts_under_water());
-    let solver = resolve_fluid(draft, &bodies, &entries, fastest, still, [gentle, under_water])?;
+    let rigid = bodies.iter().all(|body| !body.bends() && !matches!(body.shape, Shape::Polyline { .. }));
+    let solver = resolve_fluid(draft, &bodies, &entries, fastest, still, [gentle, under_water && rigid])?;
     let waves = tank.as_ref().is_some_and(Tank::is_wave_tank);
     let calmed = matches!(solver.kind(), Solver::Incompressible | Solver::IncompressibleExplicit);
     if waves && calmed {
@@ -242,7 +243,7 @@ const VISCOSITY_UNDER_WATER: f64 = 0.005;
 
 /// The solver's settings, complete. `fastest` is the largest known speed of the flow [m/s]; `still` the speed of
 /// sound that bears the water's weight [m/s]. `gentle`: nothing falls into the water, and no dam breaks; `under_water`: so starts
-/// a body.
+/// a body, and all are rigid and closed.
 fn resolve_fluid(
     draft: &mut Draft,
     bodies: &[&Body],

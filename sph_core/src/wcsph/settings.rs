@@ -38,7 +38,7 @@ pub struct Settings {
     pub dissipation: Dissipation,
     /// Coefficient alpha of artificial viscosity (INDAT i_viscos 1: viscos_val); 0 is none [-]. Absent or 0 with
     /// dissipation = riemann.
-    #[schemars(range(min = 0.0), extend("x-neutral" = 0, "x-default" = "0.02; 0.005 with a body that starts under water"))]
+    #[schemars(range(min = 0.0), extend("x-neutral" = 0, "x-default" = "0.02; 0.005 with a rigid body that starts under water"))]
     pub artificial_viscosity: f64,
     /// Coefficient delta of density diffusion; 0 is none [-]. Absent or 0 with dissipation = riemann.
     #[schemars(range(min = 0.0), extend("x-neutral" = 0))]
@@ -56,7 +56,7 @@ pub struct Settings {
     pub settling: f64,
     /// Behind walls the water is stretched along them like that in front (THEORY WA4). Sound along walls is nearer its speed and
     /// particles keep their volume better; noisier at coarse spacing.
-    #[schemars(extend("x-ignored-elsewhere" = true, "x-default" = "false; true with a body that starts under water"))]
+    #[schemars(extend("x-ignored-elsewhere" = true, "x-default" = "false; true with a rigid body that starts under water"))]
     pub wall_stretch: bool,
     /// Water within the kernel of both a wall and the air holds no tension (THEORY WC2), so that air comes in between and flow
     /// leaves a round bottom. It cuts noise to one side, which costs accuracy at coarse spacing. false: flow is sucked along.
