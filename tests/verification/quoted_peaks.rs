@@ -2,7 +2,7 @@
 
 use evidence::long::long;
 use evidence::systems::scene;
-use scenarios::results::{Quantity, Verdict};
+use scenarios::results::{BandwidthBy, Quantity, Verdict};
 use scenarios::run::summary::Summary;
 use scenarios::run::{RunOptions, run};
 
@@ -92,4 +92,37 @@ fn a_flat_contact_is_refused_by_name_and_keeps_its_impulse() {
     let shallow = summary("flat_bottom", &["tank.width=3", "tank.depth=0.2"]);
     assert_eq!(peak_force(&shallow).verdict, Verdict::Acoustic, "an echo of the floor");
     assert!((force.value - cushion).abs() < force.band.expect("a band"), "{force:?}, {cushion}");
+}
+
+/// One drop at three spacings: at a bandwidth of its own each spacing quotes another peak; at a fixed one they agree.
+#[test]
+fn a_peak_at_a_fixed_bandwidth_does_not_follow_the_spacing() {
+    let of = |sets: &[&str]| {
+        let drop = ["time.end=0.012", "fluid.sound_speed=240"];
+        ["resolution.spacing=0.016", "resolution.spacing=0.01", "resolution.spacing=0.008"].map(|spacing| {
+            let found = summary("fuselage_section", &[&drop[..], sets, &[spacing]].concat());
+            (peak_force(&found), found.results.bandwidth_by)
+        })
+    };
+    let [coarse, middle, fine] = of(&["report.bandwidth=45"]);
+    let difference = (middle.0.value / fine.0.value - 1.0).abs();
+    assert!(difference < 0.03, "{middle:?} {fine:?}");
+    assert!([coarse, middle, fine].iter().all(|(_, by)| *by == Some(BandwidthBy::Scene)));
+    let [coarse, _, fine] = of(&[]);
+    assert!(fine.0.value / coarse.0.value > 1.1 && fine.1 == Some(BandwidthBy::Spacing), "{coarse:?} {fine:?}");
+}
+
+/// Bands were measured with the keys that the program chooses: with another one there is none, and the key is named.
+#[test]
+fn a_key_of_the_method_that_no_band_was_measured_with_takes_the_band() {
+    let usual = ["resolution.spacing=0.06", "time.end=0.6", "compare=[]"];
+    let of = |set: &str| summary("wedge_constant", &[&usual[..], &[set]].concat());
+    let (with, without) = (of("fluid.cfl=0.5"), of("fluid.artificial_viscosity=0.5"));
+    assert!(peak_force(&with).band.is_some() && with.doubts.iter().all(|doubt| !doubt.contains("no band")));
+    assert!(peak_force(&without).band.is_none() && without.error_bars.is_empty());
+    assert!(
+        without.doubts.iter().any(|doubt| doubt.contains("fluid.artificial_viscosity = 0.5")),
+        "{:?}",
+        without.doubts
+    );
 }

@@ -3,6 +3,7 @@
 use evidence::systems::{advance, of_text};
 use fsi_coupling::Coupled;
 use fsi_coupling::bodies::state::Motion;
+use fsi_coupling::coupling::force_rules::reaction_and_pressure;
 
 /// Gravity [m/s²].
 const G: f64 = 9.81;
@@ -63,6 +64,11 @@ fn a_body_at_rest_under_water_carries_the_weight_of_the_water_that_it_displaces(
         };
         check(&system);
         advance(&mut system, 0.1, check).expect("a stable run");
+        // the pressure along the outline gives the same (THEORY CO39)
+        let index = system.bodies().position(|body| body.motion().is_some()).expect("a body");
+        let [coupled, pressed] =
+            reaction_and_pressure(&system, index).expect("an outline").map(|force| force[1] / weight);
+        assert!((coupled - 1.0).abs() < 0.012 && (pressed - coupled).abs() < 0.01, "{coupled} {pressed}");
     }
 }
 

@@ -275,7 +275,7 @@ fn resolve_fluid(
     let water: Water = draft.read("fluid")?;
     let sound = match auto_sound_speed(&water, entries.iter().map(|(_, entry)| entry), fastest, still) {
         // a size of the tank follows from it, and nothing else
-        nothing if nothing == 0.0 && solver.is_incompressible() && entries.is_empty() => AT_REST,
+        nothing if nothing == 0.0 && solver.is_incompressible() && !draft.is_given("tank.wave_maker") => AT_REST,
         sound => sound,
     };
     let sound = draft.fill("fluid.sound_speed", sound);

@@ -143,7 +143,9 @@ fn a_scene_file_loads_by_its_path() {
 }
 
 /// Defaults that depend on other keys, in words or formulas.
-const DEFAULTS_IN_WORDS: [&str; 23] = [
+const DEFAULTS_IN_WORDS: [&str; 25] = [
+    "0.02; 0.005 with a rigid body that starts under water",
+    "false; true with a rigid body that starts under water",
     "0 for a rigid wedge whose chines get wet, not lighter than 0.4 of its added mass, and for a round bottom deeper than 0.15 radii; -density (V^2/2 + g L) for another free wedge from the air; else absent",
     "false; true if incompressible with a body, and for a body under water",
     "true; false in a tank of water without a body",
