@@ -17,11 +17,14 @@ struct Plane {
     gradient: [f64; 2],
 }
 
+/// A place [m] and its pressure [Pa].
+type Reading = ([f64; 2], f64);
+
 impl Plane {
     /// By least squares of places [m] and pressures [Pa]; level where the places lie on a line.
-    fn fit(places: &[([f64; 2], f64)]) -> Plane {
+    fn fit(places: &[Reading]) -> Plane {
         let n = places.len() as f64;
-        let mean_of = |of: &dyn Fn(&([f64; 2], f64)) -> f64| places.iter().map(of).sum::<f64>() / n;
+        let mean_of = |of: &dyn Fn(&Reading) -> f64| places.iter().map(of).sum::<f64>() / n;
         let (middle, mean) = ([0, 1].map(|k| mean_of(&|(at, _)| at[k])), mean_of(&|(_, p)| *p));
         let moment = |a: usize, b: usize| mean_of(&|(at, _)| (at[a] - middle[a]) * (at[b] - middle[b]));
         let with_pressure = |a: usize| mean_of(&|(at, p)| (at[a] - middle[a]) * (p - mean));
