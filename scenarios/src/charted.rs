@@ -25,8 +25,10 @@ static LAWS: LazyLock<Vec<ErrorLaw>> = LazyLock::new(|| {
 const NINETY_PERCENT: f64 = 1.2816;
 /// Keys of the method that laws are told apart by; all others are those that the program chooses.
 const PARAMETERS: [&str; 3] = ["solver", "fluid.kernel", "fluid.smoothing_ratio"];
-/// Runs this much coarser or finer than a chart's are still near [-].
-const BEYOND: f64 = 1.3;
+/// Runs this much finer than a chart's are still near, and this much coarser: at 13 spacings of draught, beside a chart from 16, a wedge of 40 degrees
+/// had 1.5 times the bar [-].
+const FINER: f64 = 1.3;
+const COARSER: f64 = 1.1;
 /// Spray roots this much nearer to the speed of sound than a chart's are still near [-].
 const FASTER: f64 = 1.1;
 /// Deadrise beside a charted one that is still near [deg].
@@ -135,7 +137,7 @@ impl WedgeEntry {
             (Some(own), Some(charted)) => own <= FASTER * charted,
             _ => true,
         };
-        self.kind == fit.kind && slower && self.spacings >= coarse / BEYOND && self.spacings <= BEYOND * fine
+        self.kind == fit.kind && slower && self.spacings >= coarse / COARSER && self.spacings <= FINER * fine
     }
 }
 
@@ -198,10 +200,10 @@ fn near_bars(fits: &[ErrorLaw], scene: &Scene, summary: &Summary) -> ErrorBars {
     by_number.into_iter().filter_map(bar).collect()
 }
 
-/// Errors of wedges between the charted ones over those of the laws [-]: with 1, bars of the largest pressure in weakly compressible water held
-/// in 14 of 20 (`splashdown bands --uncharted 20 --seed 101`, and 202).
+/// Errors of wedges between the charted ones over those of the laws [-]: with 1, bars of the largest pressure held in 33 of 39
+/// (`splashdown bands --uncharted 20 --seed 101`, and 202), in weakly compressible water in 14 of 20.
 fn beside_charts(fit: &ErrorLaw) -> f64 {
-    if fit.mach.is_some() && fit.number.ends_with("cp_max") { 1.4 } else { 1.0 }
+    if fit.number.ends_with("cp_max") { 1.4 } else { 1.0 }
 }
 
 /// The error that 90 % stay below at the run's deadrise, linear in its logarithm between two charted ones [-], and the

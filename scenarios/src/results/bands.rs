@@ -33,7 +33,7 @@ impl Depth {
         if self.spacings() < LEAST_DRAUGHT {
             // where theory has it deeper, the run's peak is one of first contact
             let cure = (entry.peak_draught / LEAST_DRAUGHT).min(0.5 * self.spacing);
-            let (deep, cure) = (significant(self.spacings()), advice(cure));
+            let (deep, cure) = (significant(self.spacings().max(0.0)), advice(cure));
             return Err(format!("the peak comes at a draught of {deep} spacings; {LEAST_DRAUGHT} are needed{cure}"));
         }
         let at_one_spacing = FORCE_BAND[usize::from(self.incompressible)];

@@ -93,6 +93,9 @@ impl StressPeak {
         let reserve = self.reserve_factor;
         let times = reserve.filter(|reserve| *reserve < 1.0).map(|reserve| significant(1.0 / reserve));
         self.allowed.filter(|allowed| !allowed).map(|_| match (self.strain, times) {
+            (None, times) if self.rupture_strain.is_some() => {
+                format!("the stress or the strain is {} times its limit", times.unwrap_or_default())
+            }
             (None, times) => format!("the stress is {} times the allowable one", times.unwrap_or_default()),
             (Some([strain, _]), None) => {
                 let percent = significant(100.0 * strain);

@@ -9,8 +9,9 @@ use crate::scene::significant;
 const MOMENTUM: f64 = 1e-9;
 /// Largest energy that may come from nowhere, over the energy exchanged [-].
 const ENERGY: f64 = 0.02;
-/// Largest share of a body's impulse by which it may differ from that of the pressure on its outline [-].
-const SURFACE: f64 = 0.01;
+/// Largest share of a body's impulse by which it may differ from that of the pressure on its outline [-]. Rows of particles read pressures beside
+/// corners and spray roots that well: in 43 of 49 entries the share was above 0.01, with forces that were right to 3 %; above 0.05 forces were off.
+const SURFACE: f64 = 0.05;
 /// Largest share of the exchanged work that may be lost between water and body, or within the body [-].
 const WORK: f64 = 0.01;
 
@@ -76,8 +77,7 @@ impl Audit {
             }),
             self.surface.filter(|gap| beyond(*gap, SURFACE)).map(|gap| {
                 format!(
-                    "audit.surface: the impulse on a body is {} off that of the pressure along its outline: its force is no better; use a finer \
-                     spacing",
+                    "audit.surface: the impulse on a body is {} off that of the pressure along its outline: look at both, at a finer spacing",
                     percent(gap)
                 )
             }),
@@ -96,7 +96,7 @@ mod tests {
         let fine = Audit { momentum: 1e-12, energy: -0.4, work: 0.005, structure: 1e-3, ..Audit::default() };
         assert!(fine.doubts().is_empty());
         let broken =
-            Audit { momentum: 1e-6, energy: 0.3, work: 0.02, structure: 0.05, surface: Some(0.02), ..Audit::default() };
+            Audit { momentum: 1e-6, energy: 0.3, work: 0.02, structure: 0.05, surface: Some(0.2), ..Audit::default() };
         let doubts = broken.doubts();
         for (doubt, name) in doubts.iter().zip(["momentum", "energy", "work", "structure", "surface"]) {
             assert!(doubt.starts_with(&format!("audit.{name}: ")), "{doubt}");

@@ -74,7 +74,7 @@ pub struct Worst {
     pub stress: Range,
     /// Their strain, plastic strain included [-].
     pub strain: Range,
-    /// Allowable stress over the largest [-]. Of a panel that has yielded the rupture strain over the largest strain, or less by an allowable
+    /// Allowable stress over the largest, or less by the rupture strain over the largest strain [-]. Of a panel that has yielded the rupture strain over the largest strain, or less by an allowable
     /// stress below its yield stress. `None` where no limit is given.
     pub reserve_factor: Option<f64>,
     /// Whether it has yielded anywhere.
@@ -146,7 +146,7 @@ fn worst(panel: &Panel, dynamics: &Dynamics, nodes: &State, envelope: &Envelope)
     let by_stress = spec.allowable_stress.map(|allowable| allowable / stress.largest());
     let by_strain = spec.rupture_strain.map(|limit| limit / strain.largest());
     let reserve_factor = match spec.plasticity.filter(|_| yielded) {
-        None => by_stress,
+        None => by_stress.into_iter().chain(by_strain).reduce(f64::min),
         // beyond yield a stress is no measure but against a lower limit
         Some(law) => {
             let is_below = |allowable: &f64| *allowable < law.yield_stress;

@@ -223,7 +223,7 @@ pub(super) fn audit_section(run: &RunFolder) -> Vec<Block> {
     }
     if audit.surface.is_some() {
         let words = "Impulse of the pressure on a body's outline that the body did not get, relative";
-        add(words, audit.surface, "at most 0.01", &|v| small(v, 0.01));
+        add(words, audit.surface, "at most 0.05", &|v| small(v, 0.05));
     }
     add("Volume: relative change", audit.volume, "at most about 0.01", &|v| small(v, 0.01));
     let penetrated = audit.penetrated as f64;
