@@ -8,6 +8,7 @@ mod mass;
 mod mean_forces;
 mod plastic;
 mod section_forces;
+mod yielding;
 
 pub(crate) use constants::ElementConstants;
 pub use constants::Theory;
@@ -16,6 +17,7 @@ pub(crate) use ends::{Ends, EndsMatrix, end_forces, rotated, sinc};
 pub use inertia::Damping;
 pub(crate) use inertia::{Motion, Weights, momentum, response, viscous_forces};
 pub(crate) use mean_forces::{DiscreteGradient, Start};
+pub(crate) use plastic::PlasticElement;
 pub use plastic::PlasticStrains;
-pub(crate) use plastic::{PlasticElement, YieldStep, in_chord};
 pub use section_forces::SectionForces;
+pub(crate) use yielding::{YieldStep, in_chord};

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::element::{DiscreteGradient, Ends, Start, Theory, strain_energy};
+use crate::material::{Material, Plasticity, Section};
 
 const STEEL: Material = Material { youngs_modulus: 200e9, poissons_ratio: 0.3, density: 7850.0 };
 const PERFECT: Plasticity = Plasticity { yield_stress: 300e6, hardening_modulus: 0.0 };
