@@ -36,6 +36,13 @@ pub(crate) struct Unusual {
 }
 
 impl Scene {
+    /// A solver whose bands were not measured.
+    fn unmeasured_solver(&self) -> Option<Unusual> {
+        let measured = matches!(self.solver.kind(), Solver::WeaklyCompressible | Solver::Incompressible);
+        let [value, usual] = [self.solver.name(), "weakly_compressible"].map(Value::from);
+        (!measured).then(|| Unusual { key: "solver".into(), value, usual })
+    }
+
     /// Keys of the method that differ from the program's choice, where that may change the flow by more than a band; the keys of
     /// `parameters`, such as `fluid.kernel`, count as they are.
     pub(crate) fn unusual_keys(&self, parameters: &[&str]) -> Vec<Unusual> {
@@ -54,15 +61,6 @@ impl Scene {
             .into_iter()
             .chain(of_tables)
             .collect()
-    }
-}
-
-impl Scene {
-    /// A solver whose bands were not measured.
-    fn unmeasured_solver(&self) -> Option<Unusual> {
-        let measured = matches!(self.solver.kind(), Solver::WeaklyCompressible | Solver::Incompressible);
-        let [value, usual] = [self.solver.name(), "weakly_compressible"].map(Value::from);
-        (!measured).then(|| Unusual { key: "solver".into(), value, usual })
     }
 }
 
@@ -112,7 +110,7 @@ fn differences(table: &str, own: &Value, usual: &Value) -> Vec<Unusual> {
 
 #[cfg(test)]
 mod tests {
-    use crate::scene::{builtin, load};
+    use crate::scene::load;
 
     fn keys(scene: &str, sets: &[&str], parameters: &[&str]) -> Vec<String> {
         let sets: Vec<String> = sets.iter().map(|set| set.to_string()).collect();
@@ -125,9 +123,6 @@ mod tests {
     fn what_a_scene_leaves_to_the_program_is_usual() {
         for solver in ["weakly_compressible", "incompressible"] {
             assert_eq!(keys("wedge", &[&format!("solver={solver}")], &[]), [""; 0]);
-        }
-        for (name, _) in builtin() {
-            println!("{name}: {:?}", keys(name, &[], &[]));
         }
     }
 
