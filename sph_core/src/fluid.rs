@@ -325,6 +325,11 @@ impl Fluid {
         self.of_both_halves([mass * g[0] + fx + of_tank[0], mass * g[1] + fy + of_tank[1]])
     }
 
+    /// True where that force is another in each step: the tank bears a part of the water (WC29, PR18).
+    pub fn external_force_varies(&self) -> bool {
+        self.system.force_of_tank != [0.0; 2]
+    }
+
     /// Σ m/ρ [m²]; with a mirror plane, of both halves.
     pub fn volume(&self) -> f64 {
         let p = self.particles();

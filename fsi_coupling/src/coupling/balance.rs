@@ -61,7 +61,8 @@ impl Balance {
         let [pushed] = parallel::sum(w.len(), |k| [(w.fx[k] * w.fx[k] + w.fy[k] * w.fy[k]).sqrt()]);
         let scale = held + dt * pushed;
         let (before, released) = self.external_force;
-        if released != fluid.particles().released || fluid.force_is_constant_in_step() {
+        let is_another = fluid.external_force_varies() || fluid.force_is_constant_in_step();
+        if is_another || released != fluid.particles().released {
             self.external_force = (fluid.external_force(), fluid.particles().released);
         }
         // particles are released before all kicks of a step that holds pairs (WC22), between the two of another (WC11)

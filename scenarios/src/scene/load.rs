@@ -196,8 +196,8 @@ fn ignored(given: &Value, scene: &Scene) -> Vec<String> {
     let on = |key: &&&str| given.pointer(&format!("/fluid/{key}")) == Some(&Value::Bool(true));
     let ignored: &[&str] = match scene.solver.kind() {
         Solver::WeaklyCompressible => &[],
-        Solver::IncompressibleThesis => &["ventilation", "wall_stretch"],
-        Solver::Incompressible | Solver::IncompressibleExplicit => &["wall_stretch"],
+        Solver::IncompressibleThesis => &["ventilation", "wall_stretch", "still_pressure"],
+        Solver::Incompressible | Solver::IncompressibleExplicit => &["wall_stretch", "still_pressure"],
     };
     let mut ignored: Vec<String> = ignored
         .iter()

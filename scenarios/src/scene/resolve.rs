@@ -303,6 +303,11 @@ fn resolve_fluid(
         if keeled && !bends && settles && !iterates && follows && legacy::holds_geometry(&options) {
             draft.fill("fluid.acoustic_steps", ACOUSTIC_STEPS_OF_A_WEDGE);
         }
+        let each_step = draft.get("fluid.acoustic_steps").is_none_or(|steps: sph_core::Auto<u32>| steps.or(1) == 1);
+        let acts = each_step && legacy::holds_geometry(&options);
+        let still = draft.fill("fluid.still_pressure", under_water && acts);
+        let expected = "false with fluid.acoustic_steps above 1 or an option of 2010";
+        require(acts || !still, "fluid.still_pressure", still, expected)?;
         legacy::complete(draft, &water.fluid, scheme, options, given)?;
     }
     draft.read("")

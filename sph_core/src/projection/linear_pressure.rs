@@ -186,11 +186,7 @@ fn closed(walls: &Walls) -> impl Iterator<Item = Range<usize>> + '_ {
 impl Place {
     /// ∫P n ds over its share of the outline [N/m].
     fn integral(&self, field: &Field) -> [f64; 2] {
-        let (OutlineShare { area, moment }, [nx, ny], p) = (self.outline, self.normal, field.at(self.surface));
-        let [gx, gy] = field.gradient;
-        let slope = [gx * nx + gy * ny, gy * nx - gx * ny];
-        let [along, across] = [0, 1].map(|b| p * area[b] + slope[0] * moment[0][b] + slope[1] * moment[1][b]);
-        [along * nx - across * ny, along * ny + across * nx]
+        self.outline.integral(self.normal, field.at(self.surface), field.gradient)
     }
 
     /// Exact less pairs' force of a linear pressure [N/m].

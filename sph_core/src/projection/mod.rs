@@ -184,7 +184,7 @@ impl Scheme for Projection {
         self.operators.assemble(flow.system, flow.walls, &self.lattice, constants, 0.0);
         self.surface.set_indicator(flow.system, &self.operators, &self.lattice);
         self.forces.find_head(flow.system);
-        accelerate_by_pairs(flow, &PairTerms { constants, dissipation: Default::default() }, 0.0);
+        accelerate_by_pairs(flow, &PairTerms { constants, dissipation: Default::default() }, None, 0.0);
         self.place_bodies(flow, 1.0);
         self.linear_pressure.correct_bodies(flow.walls, 0.0);
         Ok(())

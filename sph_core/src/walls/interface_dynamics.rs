@@ -12,6 +12,7 @@ use crate::timers::Phase;
 use crate::walls::Walls;
 use crate::walls::interface::{InterfaceLoad, ParticleLoad, WallInterface};
 use crate::walls::state::extrapolate_to_walls;
+use crate::wcsph::still_pressure::StillPressure;
 
 /// CO4: how pressure and force of a wall particle change with its acceleration.
 #[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
@@ -75,13 +76,24 @@ impl TargetSum for PressureCorrection<'_> {
 }
 
 /// WA3, WC5–WC7: wall pressures, accelerations of the fluid and forces on the walls, under the packed pressures; walls taken
-/// `offset` seconds from the step's end.
-pub(crate) fn accelerate_by_pairs(flow: &mut Flow<'_>, terms: &PairTerms, offset: f64) {
+/// `offset` seconds from the step's end. `still` acts by itself and not by the pairs.
+pub(crate) fn accelerate_by_pairs(
+    flow: &mut Flow<'_>,
+    terms: &PairTerms,
+    still: Option<StillPressure>,
+    offset: f64,
+) {
     let Flow { system, walls, interfaces } = flow;
     extrapolate_to_walls(system, walls);
+    if let Some(still) = still {
+        still.take_off(system); // p' = p − P
+    }
     let mut forces = Forces::in_place_of_accelerations(&mut system.particles);
     gather_fluid_forces(system, terms, true, &mut forces);
     gather_wall_forces(system, terms, walls);
+    if let Some(still) = still {
+        still.act(system, walls, &mut forces); // −V ∇P, −∫P n ds
+    }
     if !interfaces.is_empty() {
         solve_interfaces(system, walls, interfaces, &mut forces, offset); // CO4–CO6
     }

@@ -43,6 +43,17 @@ pub struct OutlineShare {
     pub moment: [[f64; 2]; 2],
 }
 
+impl OutlineShare {
+    /// ∫P n ds [N/m] of a pressure that is linear along the share: `pressure` [Pa] at the surface above the particle, whose normal is given,
+    /// with `gradient` [Pa/m].
+    pub(crate) fn integral(&self, [nx, ny]: [f64; 2], pressure: f64, [gx, gy]: [f64; 2]) -> [f64; 2] {
+        let OutlineShare { area, moment } = self;
+        let slope = [gx * nx + gy * ny, gy * nx - gx * ny];
+        let [along, across] = [0, 1].map(|b| pressure * area[b] + slope[0] * moment[0][b] + slope[1] * moment[1][b]);
+        [along * nx - across * ny, along * ny + across * nx]
+    }
+}
+
 /// One boundary particle as its owner samples it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WallPoint {

@@ -10,6 +10,7 @@ mod settings;
 pub(crate) mod shifting;
 pub mod split_explicit;
 pub(crate) mod step_limit;
+pub(crate) mod still_pressure;
 pub(crate) mod updates;
 
 use crate::domain::Domain;
@@ -31,6 +32,7 @@ use crate::walls::interface_dynamics::accelerate_by_pairs;
 use eos::Tait;
 use rest::{hold_at_rest, release_all, release_drifted};
 use shifting::{even_out, settle};
+use still_pressure::StillPressure;
 use step_limit::{StepLimit, rebuild_lists};
 use updates::{advance_density_and_drift, kick, kick_and_drift};
 
@@ -101,7 +103,8 @@ impl Wcsph {
     fn evaluate_forces(&mut self, flow: &mut Flow<'_>, offset: f64) {
         self.equation_of_state(flow.system);
         self.pack(flow.system, flow.walls, offset);
-        accelerate_by_pairs(flow, &self.terms(flow.system), offset);
+        let still = self.settings.still_pressure.then(|| StillPressure::find(flow.system)).flatten(); // WC29
+        accelerate_by_pairs(flow, &self.terms(flow.system), still, offset);
     }
 
     /// Make the lists if they no longer hold, splitting particles first where that is asked for (WC21); then pack.

@@ -58,6 +58,10 @@ pub struct Settings {
     /// particles keep their volume better; noisier at coarse spacing.
     #[schemars(extend("x-ignored-elsewhere" = true, "x-default" = "false; true with a rigid body that starts under water"))]
     pub wall_stretch: bool,
+    /// Pairs act by the pressure less that of still water below the lowest surface, which acts exactly on water and closed bodies (THEORY
+    /// WC29). Else water under pressure resists bodies that move in it, however deep. Without effect where fluid.acoustic_steps is above 1.
+    #[schemars(extend("x-ignored-elsewhere" = true, "x-default" = "false; true with a rigid body that starts under water"))]
+    pub still_pressure: bool,
     /// Water within the kernel of both a wall and the air holds no tension (THEORY WC2), so that air comes in between and flow
     /// leaves a round bottom. It cuts noise to one side, which costs accuracy at coarse spacing. false: flow is sucked along.
     #[schemars(extend("x-ignored-elsewhere" = true))]
@@ -97,6 +101,7 @@ impl Default for Settings {
             shifting_at_surface: true,
             settling: 0.1,
             wall_stretch: false,
+            still_pressure: false,
             ventilation: false,
             cavitation_pressure: None,
             acoustic_steps: Auto::Auto,

@@ -74,7 +74,7 @@ impl Thesis {
 impl Scheme for Thesis {
     fn initialise(&mut self, flow: &mut Flow<'_>) -> Result<(), Breakdown> {
         self.pack(flow.system, flow.walls, 0.0);
-        accelerate_by_pairs(flow, &self.terms(flow.system), 0.0);
+        accelerate_by_pairs(flow, &self.terms(flow.system), None, 0.0);
         self.prepare(flow.system, flow.walls)
     }
 

@@ -1,0 +1,69 @@
+//! The pressure of still water, which acts exactly where pairs would act by an arrangement of the particles (THEORY WC29).
+
+use crate::interactions::forces::Forces;
+use crate::interactions::packed_particle::PackedParticle;
+use crate::parallel;
+use crate::system::ParticleSystem;
+use crate::walls::Walls;
+
+/// Height over which the pressure sets in below the lowest surface [h].
+const ONSET: f64 = 6.0;
+
+/// WC29: the pressure of still water below the lowest surface.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct StillPressure {
+    /// ρ₀ g [N/m³].
+    weight: [f64; 2],
+    /// ρ₀ g·r of the lowest surface [Pa].
+    surface: f64,
+    /// Pressure of still water at the end of the onset, were it to start at once [Pa].
+    onset: f64,
+}
+
+impl StillPressure {
+    /// That of the present particles; none without gravity or surface. The free surface is where no wall is near.
+    pub fn find(system: &ParticleSystem) -> Option<StillPressure> {
+        let (p, moments, domain) = (&system.particles, &system.fields.moments, &system.domain);
+        let weight = domain.gravity.map(|g| domain.fluid.density * g);
+        let depth = |k: usize| weight[0] * p.x[k] + weight[1] * p.y[k];
+        let free = |k: usize| moments[k].at_surface() && moments[k].wall_kernel_sum == 0.0;
+        let surface = -parallel::least(p.len(), |k| if free(k) { -depth(k) } else { f64::INFINITY });
+        let onset = ONSET * weight[0].hypot(weight[1]) * system.least_smoothing_length();
+        (surface.is_finite() && onset > 0.0).then_some(StillPressure { weight, surface, onset })
+    }
+
+    /// P [Pa] and ∇P [Pa/m] at a place: with d = ρ₀ g·r above that of the surface and ξ = d/L, ∇P = ρ₀ g ξ²(3 − 2ξ) for ξ < 1, then ρ₀ g.
+    pub fn at(&self, x: f64, y: f64) -> (f64, [f64; 2]) {
+        let d = self.weight[0] * x + self.weight[1] * y - self.surface;
+        let xi = (d / self.onset).clamp(0.0, 1.0);
+        let pressure = self.onset * xi * xi * xi * (1.0 - 0.5 * xi) + (d - self.onset).max(0.0);
+        (pressure, self.weight.map(|w| w * xi * xi * (3.0 - 2.0 * xi)))
+    }
+
+    /// p ← p − P in what pairs read.
+    pub fn take_off(&self, system: &mut ParticleSystem) {
+        let less = |_: usize, row: &mut PackedParticle| row.p -= self.at(row.x, row.y).0;
+        parallel::update(&mut system.packed.fluid, less);
+        parallel::update(&mut system.packed.walls, less);
+    }
+
+    /// −V ∇P on the fluid, −∫P n ds on closed outlines; the tank bears the rest (WC29).
+    pub fn act(&self, system: &mut ParticleSystem, walls: &mut Walls, forces: &mut Forces) {
+        let (fluid, n) = (&system.packed.fluid, system.particles.len());
+        let on_fluid = |k: usize| self.at(fluid[k].x, fluid[k].y).1.map(|slope| -fluid[k].volume * slope);
+        parallel::update_both(&mut forces.x, &mut forces.y, |k, x, y| {
+            let [fx, fy] = on_fluid(k);
+            (*x, *y) = (*x + fx, *y + fy);
+        });
+        let mut sum = parallel::sum(n, on_fluid);
+        for k in 0..walls.len() {
+            let row = &system.packed.walls[k];
+            let (normal, depth) = ([walls.nx[k], walls.ny[k]], walls.depth[k]);
+            let (pressure, gradient) = self.at(row.x + depth * normal[0], row.y + depth * normal[1]);
+            let [fx, fy] = walls.outline[k].integral(normal, pressure, gradient);
+            (walls.fx[k], walls.fy[k]) = (walls.fx[k] - fx, walls.fy[k] - fy);
+            sum = [sum[0] - fx, sum[1] - fy];
+        }
+        system.force_of_tank = sum;
+    }
+}
