@@ -53,6 +53,7 @@ mod stations;
 mod structure_file;
 mod symmetric;
 mod table_file;
+mod under_water;
 mod unusual;
 mod warnings;
 mod waves;

@@ -22,6 +22,7 @@ use super::settings::{
     SolverSettings, Tank, Time, Water, WaveMaker, WeaklyCompressibleFluid,
 };
 use super::source::word;
+use super::under_water;
 
 /// Rows of the series and frames of particles in a run, where the scene does not say.
 const SAMPLES: f64 = 500.0;
@@ -74,14 +75,17 @@ pub(super) fn resolve(mut draft: Draft) -> Result<Scene, Problem> {
         hydrostatic_sound(gravity, draft.get("tank.depth").unwrap_or(least))[0]
     };
     let gentle = body.is_none() && tank.as_ref().is_some_and(Tank::is_full);
-    let under_water = tank.as_ref().is_some_and(|tank| tank.block_from.is_none())
+    let submerged = tank.as_ref().is_some_and(|tank| tank.block_from.is_none())
         && bodies.iter().any(|body| body.starts_under_water());
     let rigid = bodies.iter().all(|body| !body.bends() && !matches!(body.shape, Shape::Polyline { .. }));
-    let solver = resolve_fluid(draft, &bodies, &entries, fastest, still, [gentle, under_water && rigid])?;
+    let solver = resolve_fluid(draft, &bodies, &entries, fastest, still, [gentle, submerged && rigid])?;
     let waves = tank.as_ref().is_some_and(Tank::is_wave_tank);
     let calmed = matches!(solver.kind(), Solver::Incompressible | Solver::IncompressibleExplicit);
     if waves && calmed {
         draft.fill("projection.calming", CALMING_OF_WAVES);
+    }
+    if submerged && rigid && calmed {
+        under_water::fill_projection(draft);
     }
     resolve_coupling(draft, &solver, &bodies)?;
     match entries.is_empty() {
@@ -101,7 +105,7 @@ pub(super) fn resolve(mut draft: Draft) -> Result<Scene, Problem> {
             draft.fill("resolution.fine_zone", [tank.width, tank.depth]);
         }
     };
-    resolve_resolution(draft, &solver, &entries, &bodies, [automatic, under_water])?;
+    resolve_resolution(draft, &solver, &entries, &bodies, [automatic, submerged])?;
     for i in 0..draft.count("gauges") {
         let gauge: Gauge = draft.read(&format!("gauges[{i}]"))?;
         word(&format!("gauges[{i}].name"), &gauge.name)?;
@@ -237,20 +241,16 @@ fn least_pressure(draft: &Draft, body: &Body, entry: &Entry) -> Option<f64> {
 /// noisy in the median; with 8 noise is twice that of 1. No exact case judges round and flat bottoms.
 const ACOUSTIC_STEPS_OF_A_WEDGE: u32 = 4;
 
-/// Artificial viscosity α around a body that starts under water [-]. With the usual one, and water that does not stretch along walls, a cylinder of
-/// half the water's density rose 26 % too slowly at 10 spacings per diameter, and 18 % at 20.
-const VISCOSITY_UNDER_WATER: f64 = 0.005;
-
 /// The solver's settings, complete. `fastest` is the largest known speed of the flow [m/s]; `still` the speed of
-/// sound that bears the water's weight [m/s]. `gentle`: nothing falls into the water, and no dam breaks; `under_water`: so starts
-/// a body, and all are rigid and closed.
+/// sound that bears the water's weight [m/s]. `gentle`: nothing falls into the water, and no dam breaks; `submerged`: a body
+/// starts under water, and all are rigid and closed.
 fn resolve_fluid(
     draft: &mut Draft,
     bodies: &[&Body],
     entries: &[(&Body, Entry)],
     fastest: f64,
     still: f64,
-    [gentle, under_water]: [bool; 2],
+    [gentle, submerged]: [bool; 2],
 ) -> Result<SolverSettings, Problem> {
     let solver: Solver = draft.get("solver").unwrap_or_default();
     let thesis = solver == Solver::IncompressibleThesis;
@@ -289,10 +289,8 @@ fn resolve_fluid(
     }
     if solver == Solver::WeaklyCompressible {
         let WeaklyCompressibleFluid { options, .. } = draft.read("fluid")?;
-        let by_diffusion = draft.get("fluid.dissipation") != Some(Dissipation::Riemann);
-        if under_water && by_diffusion && legacy::holds_geometry(&options) {
-            draft.fill("fluid.wall_stretch", true);
-            draft.fill("fluid.artificial_viscosity", VISCOSITY_UNDER_WATER);
+        if submerged {
+            under_water::fill_weakly_compressible(draft, &options);
         }
         let WeaklyCompressibleFluid { scheme, options, .. } = draft.read("fluid")?;
         let bends = bodies.iter().any(|body| body.bends());
@@ -303,11 +301,7 @@ fn resolve_fluid(
         if keeled && !bends && settles && !iterates && follows && legacy::holds_geometry(&options) {
             draft.fill("fluid.acoustic_steps", ACOUSTIC_STEPS_OF_A_WEDGE);
         }
-        let each_step = draft.get("fluid.acoustic_steps").is_none_or(|steps: sph_core::Auto<u32>| steps.or(1) == 1);
-        let acts = each_step && legacy::holds_geometry(&options);
-        let still = draft.fill("fluid.still_pressure", under_water && acts);
-        let expected = "false with fluid.acoustic_steps above 1 or an option of 2010";
-        require(acts || !still, "fluid.still_pressure", still, expected)?;
+        under_water::fill_still_pressure(draft, &options, submerged)?;
         legacy::complete(draft, &water.fluid, scheme, options, given)?;
     }
     draft.read("")
@@ -342,17 +336,17 @@ fn resolve_coupling(draft: &mut Draft, solver: &SolverSettings, bodies: &[&Body]
     options.map_or(Ok(()), |options| legacy::check_coupling(options, scheme == CouplingScheme::IqnIls))
 }
 
-/// Packing and refinement tracking; `automatic`: the scene leaves the fine zone to the program; `under_water`: so starts a body.
+/// Packing and refinement tracking; `automatic`: the scene leaves the fine zone to the program; `submerged`: so starts a body.
 fn resolve_resolution(
     draft: &mut Draft,
     solver: &SolverSettings,
     entries: &[(&Body, Entry)],
     bodies: &[&Body],
-    [automatic, under_water]: [bool; 2],
+    [automatic, submerged]: [bool; 2],
 ) -> Result<(), Problem> {
     let plate = bodies.iter().any(|body| matches!(body.shape, Shape::Polyline { .. }));
     let packing =
-        draft.fill("resolution.packing", (solver.is_incompressible() && !bodies.is_empty() || under_water) && !plate);
+        draft.fill("resolution.packing", (solver.is_incompressible() && !bodies.is_empty() || submerged) && !plate);
     let beside_plate = "false with a polyline, beside which there is room anyhow";
     require(!(plate && packing), "resolution.packing", true, beside_plate)?;
     let asked: Option<bool> = draft.get("resolution.follow");

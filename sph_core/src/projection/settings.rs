@@ -63,11 +63,11 @@ pub struct Settings {
     pub relaxation: f64,
     /// Viscosity over h sqrt(|g| h), which brings water to rest (THEORY PR13); 0 is none [-].
     #[serde(rename = "calming")]
-    #[schemars(range(min = 0.0), extend("x-default" = "0.15; 0.02 with tank.wave_maker"))]
+    #[schemars(range(min = 0.0), extend("x-default" = "0.15; 0.02 with tank.wave_maker or a rigid body that starts under water"))]
     pub viscosity_coefficient: f64,
     /// Shift of particles over the distance moved in a step, times 2h grad C, 0 to 10 (THEORY PR14) [-]. Without effect where
     /// fluid.shifting is false.
-    #[schemars(range(min = 0.0, max = 10.0))]
+    #[schemars(range(min = 0.0, max = 10.0), extend("x-default" = "1; 3 with a rigid body that starts under water"))]
     pub shift: f64,
     /// Keys of the table `[fluid]`.
     #[serde(skip)]

@@ -77,12 +77,7 @@ impl TargetSum for PressureCorrection<'_> {
 
 /// WA3, WC5–WC7: wall pressures, accelerations of the fluid and forces on the walls, under the packed pressures; walls taken
 /// `offset` seconds from the step's end. `still` acts by itself and not by the pairs.
-pub(crate) fn accelerate_by_pairs(
-    flow: &mut Flow<'_>,
-    terms: &PairTerms,
-    still: Option<StillPressure>,
-    offset: f64,
-) {
+pub(crate) fn accelerate_by_pairs(flow: &mut Flow<'_>, terms: &PairTerms, still: Option<StillPressure>, offset: f64) {
     let Flow { system, walls, interfaces } = flow;
     extrapolate_to_walls(system, walls);
     if let Some(still) = still {

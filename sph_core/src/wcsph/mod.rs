@@ -32,8 +32,8 @@ use crate::walls::interface_dynamics::accelerate_by_pairs;
 use eos::Tait;
 use rest::{hold_at_rest, release_all, release_drifted};
 use shifting::{even_out, settle};
-use still_pressure::StillPressure;
 use step_limit::{StepLimit, rebuild_lists};
+use still_pressure::StillPressure;
 use updates::{advance_density_and_drift, kick, kick_and_drift};
 
 pub use settings::Settings;
@@ -183,6 +183,9 @@ impl Scheme for Wcsph {
     fn initialise(&mut self, flow: &mut Flow<'_>) -> Result<(), Breakdown> {
         let settling = self.settings.shifting.then_some(self.settings.settling);
         release_all(flow.system);
+        if self.settings.still_pressure {
+            self.evaluate_forces(flow, 0.0); // finds the surface
+        }
         settle(flow, settling, |flow| self.evaluate_forces(flow, 0.0));
         hold_at_rest(flow.system, flow.walls);
         Ok(())

@@ -6,17 +6,20 @@ use crate::parallel;
 use crate::system::ParticleSystem;
 use crate::walls::Walls;
 
-/// Height over which the pressure sets in below the lowest surface [h].
+/// Depth below the lowest surface from which all of the pressure acts [h].
 const ONSET: f64 = 6.0;
+/// Pressure that pairs keep, over ρ₀|v|² of the fastest particle [-]: beside a cylinder that moves through water p is down to 1.5 of it below that
+/// of still water, and pairs that pull give particles no order.
+const KEPT: f64 = 2.0;
 
 /// WC29: the pressure of still water below the lowest surface.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct StillPressure {
     /// ρ₀ g [N/m³].
     weight: [f64; 2],
-    /// ρ₀ g·r of the lowest surface [Pa].
+    /// ρ₀ g·r of the lowest surface, and what pairs keep [Pa].
     surface: f64,
-    /// Pressure of still water at the end of the onset, were it to start at once [Pa].
+    /// L, the pressure at the depth from which all of it acts [Pa].
     onset: f64,
 }
 
@@ -27,17 +30,21 @@ impl StillPressure {
         let weight = domain.gravity.map(|g| domain.fluid.density * g);
         let depth = |k: usize| weight[0] * p.x[k] + weight[1] * p.y[k];
         let free = |k: usize| moments[k].at_surface() && moments[k].wall_kernel_sum == 0.0;
-        let surface = -parallel::least(p.len(), |k| if free(k) { -depth(k) } else { f64::INFINITY });
-        let onset = ONSET * weight[0].hypot(weight[1]) * system.least_smoothing_length();
+        let row = -parallel::least(p.len(), |k| if free(k) { -depth(k) } else { f64::INFINITY });
+        let per_h = weight[0].hypot(weight[1]) * system.least_smoothing_length();
+        let fastest = -parallel::least(p.len(), |k| -(p.u[k] * p.u[k] + p.v[k] * p.v[k]));
+        let kept = KEPT * domain.fluid.density * fastest;
+        let (surface, onset) = (row - 0.5 * per_h / domain.fluid.smoothing_ratio + kept, ONSET * per_h);
         (surface.is_finite() && onset > 0.0).then_some(StillPressure { weight, surface, onset })
     }
 
-    /// P [Pa] and ∇P [Pa/m] at a place: with d = ρ₀ g·r above that of the surface and ξ = d/L, ∇P = ρ₀ g ξ²(3 − 2ξ) for ξ < 1, then ρ₀ g.
+    /// P [Pa] and ∇P [Pa/m] at a place: with d = ρ₀ g·r above that of the surface and ξ = d/L, P = L ξ³ (6 − 8ξ + 3ξ²) for ξ < 1, then d.
     pub fn at(&self, x: f64, y: f64) -> (f64, [f64; 2]) {
         let d = self.weight[0] * x + self.weight[1] * y - self.surface;
         let xi = (d / self.onset).clamp(0.0, 1.0);
-        let pressure = self.onset * xi * xi * xi * (1.0 - 0.5 * xi) + (d - self.onset).max(0.0);
-        (pressure, self.weight.map(|w| w * xi * xi * (3.0 - 2.0 * xi)))
+        let pressure = if xi < 1.0 { self.onset * xi.powi(3) * (6.0 - 8.0 * xi + 3.0 * xi * xi) } else { d };
+        let slope = xi * xi * (18.0 - 32.0 * xi + 15.0 * xi * xi);
+        (pressure, self.weight.map(|w| w * slope))
     }
 
     /// p ← p − P in what pairs read.
@@ -47,15 +54,15 @@ impl StillPressure {
         parallel::update(&mut system.packed.walls, less);
     }
 
-    /// −V ∇P on the fluid, −∫P n ds on closed outlines; the tank bears the rest (WC29).
+    /// −m ∇P/ρ₀ on the fluid, −∫P n ds on closed outlines; the tank bears the rest (WC29).
     pub fn act(&self, system: &mut ParticleSystem, walls: &mut Walls, forces: &mut Forces) {
-        let (fluid, n) = (&system.packed.fluid, system.particles.len());
-        let on_fluid = |k: usize| self.at(fluid[k].x, fluid[k].y).1.map(|slope| -fluid[k].volume * slope);
+        let (p, inverse) = (&system.particles, 1.0 / system.domain.fluid.density);
+        let on_fluid = |k: usize| self.at(p.x[k], p.y[k]).1.map(|slope| -inverse * p.mass[k] * slope);
         parallel::update_both(&mut forces.x, &mut forces.y, |k, x, y| {
             let [fx, fy] = on_fluid(k);
             (*x, *y) = (*x + fx, *y + fy);
         });
-        let mut sum = parallel::sum(n, on_fluid);
+        let mut sum = parallel::sum(p.len(), on_fluid);
         for k in 0..walls.len() {
             let row = &system.packed.walls[k];
             let (normal, depth) = ([walls.nx[k], walls.ny[k]], walls.depth[k]);

@@ -1,0 +1,39 @@
+//! What the program chooses around rigid, closed bodies that start under water.
+
+use sph_core::{Auto, Dissipation};
+
+use super::draft::Draft;
+use super::legacy;
+use fsi_coupling::settings::{Problem, require};
+use sph_core::legacy::Options;
+
+/// Artificial viscosity α [-]. With the usual one a cylinder of half the water's density, 10 spacings across, rises 15 % too slowly.
+const VISCOSITY: f64 = 0.005;
+/// Shift of a projection (THEORY PR14) [-]: with 1 a gap behind that cylinder makes it 6 % too slow.
+const SHIFT: f64 = 3.0;
+/// Calming of a projection (THEORY PR13) [-]: the usual one takes 2 % of its speed.
+const CALMING: f64 = 0.02;
+
+/// Keys of weakly compressible water.
+pub(super) fn fill_weakly_compressible(draft: &mut Draft, options: &Options) {
+    let by_diffusion = draft.get("fluid.dissipation") != Some(Dissipation::Riemann);
+    if by_diffusion && legacy::holds_geometry(options) {
+        draft.fill("fluid.wall_stretch", true);
+        draft.fill("fluid.artificial_viscosity", VISCOSITY);
+    }
+}
+
+/// The pressure of still water acts by itself (THEORY WC29) where geometry is found in each step.
+pub(super) fn fill_still_pressure(draft: &mut Draft, options: &Options, under_water: bool) -> Result<(), Problem> {
+    let each_step = draft.get("fluid.acoustic_steps").is_none_or(|steps: Auto<u32>| steps.or(1) == 1);
+    let acts = each_step && legacy::holds_geometry(options);
+    let still = draft.fill("fluid.still_pressure", under_water && acts);
+    let expected = "false with fluid.acoustic_steps above 1 or an option of 2010";
+    require(acts || !still, "fluid.still_pressure", still, expected)
+}
+
+/// Keys of a projection.
+pub(super) fn fill_projection(draft: &mut Draft) {
+    draft.fill("projection.shift", SHIFT);
+    draft.fill("projection.calming", CALMING);
+}
