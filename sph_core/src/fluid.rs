@@ -325,9 +325,9 @@ impl Fluid {
         self.of_both_halves([mass * g[0] + fx + of_tank[0], mass * g[1] + fy + of_tank[1]])
     }
 
-    /// True where that force is another in each step: the tank bears a part of the water (WC29, PR18).
+    /// True where that force may be another in each step: the tank bears a part of the water (WC29).
     pub fn external_force_varies(&self) -> bool {
-        self.system.force_of_tank != [0.0; 2]
+        self.scheme.external_force_varies()
     }
 
     /// Σ m/ρ [m²]; with a mirror plane, of both halves.

@@ -49,6 +49,11 @@ pub trait Scheme: Any + Send + Sync {
     /// Particle `id` has changed places with its image in the plane of symmetry.
     fn reflected(&mut self, _id: u32) {}
 
+    /// True where the tank bears a part of the water that differs from step to step (THEORY WC29).
+    fn external_force_varies(&self) -> bool {
+        false
+    }
+
     /// True where pairs are held from step to step: particles that crossed a plane of symmetry are left to the scheme.
     fn holds_pairs(&self) -> bool {
         false

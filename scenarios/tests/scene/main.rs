@@ -143,7 +143,7 @@ fn a_scene_file_loads_by_its_path() {
 }
 
 /// Defaults that depend on other keys, in words or formulas.
-const DEFAULTS_IN_WORDS: [&str; 25] = [
+const DEFAULTS_IN_WORDS: [&str; 26] = [
     "0.02; 0.005 with a rigid body that starts under water",
     "false; true with a rigid body that starts under water",
     "0 for a rigid wedge whose chines get wet, not lighter than 0.4 of its added mass, and for a round bottom deeper than 0.15 radii; -density (V^2/2 + g L) for another free wedge from the air; else absent",
@@ -155,7 +155,8 @@ const DEFAULTS_IN_WORDS: [&str; 25] = [
     "[0.0, end]",
     "width",
     "8 sqrt(g depth)/length",
-    "0.15; 0.02 with tank.wave_maker",
+    "0.15; 0.02 with tank.wave_maker or a rigid body that starts under water",
+    "1; 3 with a rigid body that starts under water",
     "1.25 depth, 3 depth for a dam break; 1.25 times the crests of a wave maker",
     "breadth/4",
     "centroid of the outline",

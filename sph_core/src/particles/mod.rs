@@ -63,7 +63,7 @@ pub struct Particles {
     pub rest: [Vec<f64>; 2],
     /// Where it acts: the place of each particle at the start [m], shape (2, n); empty likewise.
     pub home: [Vec<f64>; 2],
-    /// Energy −Σ m f·r of particles when their f ended [J/m].
+    /// Energy −Σ m f·r of particles when their f ended, less the work that still water's pressure did by errors of pairs (THEORY WC29) [J/m].
     pub released: f64,
     /// How often it was halved (THEORY WC21); empty without a fine zone that moves.
     pub refinement_level: Vec<u8>,

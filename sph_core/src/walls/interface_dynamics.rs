@@ -86,6 +86,7 @@ pub(crate) fn accelerate_by_pairs(flow: &mut Flow<'_>, terms: &PairTerms, still:
     let mut forces = Forces::in_place_of_accelerations(&mut system.particles);
     gather_fluid_forces(system, terms, true, &mut forces);
     gather_wall_forces(system, terms, walls);
+    system.force_of_tank = [0.0; 2];
     if let Some(still) = still {
         still.act(system, walls, &mut forces); // −V ∇P, −∫P n ds
     }

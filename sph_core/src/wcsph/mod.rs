@@ -88,7 +88,10 @@ impl Wcsph {
             even_out(flow.system, &self.settings, dt); //                  x' ← x' + δr
         }
         flow.walls.start_mean_force(dt); //                               ½F, where the walls were at the start
-        self.evaluate_forces(flow, 0.0); //                               a', F' at (x', ρ')
+        let still = self.evaluate_forces(flow, 0.0); //                   a', F' at (x', ρ')
+        if let Some(still) = still {
+            flow.system.particles.released -= dt * still.power(flow.system, flow.walls, &self.density_rate); // WC29
+        }
         kick(flow.system, half); //                                       v' = v½ + ½Δt a'
         flow.walls.finish_mean_force(); //                                F̄ = ½(F + F')
     }
@@ -100,11 +103,12 @@ impl Wcsph {
     }
 
     /// WC2, WA3, WC5–WC7: pressures, wall pressures, accelerations, forces on walls; walls taken `offset` seconds from the step's end.
-    fn evaluate_forces(&mut self, flow: &mut Flow<'_>, offset: f64) {
+    fn evaluate_forces(&mut self, flow: &mut Flow<'_>, offset: f64) -> Option<StillPressure> {
         self.equation_of_state(flow.system);
         self.pack(flow.system, flow.walls, offset);
         let still = self.settings.still_pressure.then(|| StillPressure::find(flow.system)).flatten(); // WC29
         accelerate_by_pairs(flow, &self.terms(flow.system), still, offset);
+        still
     }
 
     /// Make the lists if they no longer hold, splitting particles first where that is asked for (WC21); then pack.
@@ -186,7 +190,9 @@ impl Scheme for Wcsph {
         if self.settings.still_pressure {
             self.evaluate_forces(flow, 0.0); // finds the surface
         }
-        settle(flow, settling, |flow| self.evaluate_forces(flow, 0.0));
+        settle(flow, settling, |flow| {
+            self.evaluate_forces(flow, 0.0);
+        });
         hold_at_rest(flow.system, flow.walls);
         Ok(())
     }
@@ -216,6 +222,10 @@ impl Scheme for Wcsph {
 
     fn restore_bytes(&mut self, bytes: &[u8]) -> Result<(), StateError> {
         expect_count("bytes of the weakly compressible scheme", bytes.len(), 0)
+    }
+
+    fn external_force_varies(&self) -> bool {
+        self.settings.still_pressure
     }
 
     fn internal_energy(&self, system: &ParticleSystem, k: usize) -> f64 {

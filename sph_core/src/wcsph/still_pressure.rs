@@ -64,13 +64,32 @@ impl StillPressure {
         });
         let mut sum = parallel::sum(p.len(), on_fluid);
         for k in 0..walls.len() {
-            let row = &system.packed.walls[k];
-            let (normal, depth) = ([walls.nx[k], walls.ny[k]], walls.depth[k]);
-            let (pressure, gradient) = self.at(row.x + depth * normal[0], row.y + depth * normal[1]);
-            let [fx, fy] = walls.outline[k].integral(normal, pressure, gradient);
-            (walls.fx[k], walls.fy[k]) = (walls.fx[k] - fx, walls.fy[k] - fy);
-            sum = [sum[0] - fx, sum[1] - fy];
+            let [fx, fy] = self.on_outline(system, walls, k);
+            (walls.fx[k], walls.fy[k]) = (walls.fx[k] + fx, walls.fy[k] + fy);
+            sum = [sum[0] + fx, sum[1] + fy];
         }
         system.force_of_tank = sum;
+    }
+
+    /// −∫P n ds over the share of wall particle `k` [N/m].
+    fn on_outline(&self, system: &ParticleSystem, walls: &Walls, k: usize) -> [f64; 2] {
+        let (row, normal, depth) = (&system.packed.walls[k], [walls.nx[k], walls.ny[k]], walls.depth[k]);
+        let (pressure, gradient) = self.at(row.x + depth * normal[0], row.y + depth * normal[1]);
+        walls.outline[k].integral(normal, pressure, gradient).map(|f| -f)
+    }
+
+    /// Power of these forces and of P on changing densities [W/m]: 0 but for the errors of the sums over pairs, which move nothing.
+    pub fn power(&self, system: &ParticleSystem, walls: &Walls, density_rate: &[f64]) -> f64 {
+        let (p, inverse) = (&system.particles, 1.0 / system.domain.fluid.density);
+        let [of_fluid] = parallel::sum(p.len(), |k| {
+            let (pressure, [sx, sy]) = self.at(p.x[k], p.y[k]);
+            let rise = inverse * (sx * p.u[k] + sy * p.v[k]);
+            [p.mass[k] * (pressure * density_rate[k] / (p.rho[k] * p.rho[k]) - rise)]
+        });
+        let of_wall = |k: usize| {
+            let [fx, fy] = self.on_outline(system, walls, k);
+            fx * walls.u[k] + fy * walls.v[k]
+        };
+        of_fluid + (0..walls.len()).map(of_wall).sum::<f64>()
     }
 }
