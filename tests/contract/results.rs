@@ -81,6 +81,21 @@ fn a_run_ends_at_the_first_rupture_and_says_so() {
     assert!(!page.contains("stays bent"));
 }
 
+/// Water in the film between a body and the floor pulled with twice as much at two thirds of the spacing, as a peak without a doubt.
+#[test]
+fn forces_of_a_body_that_touches_the_floor_are_not_resolved() {
+    let place = Workplace::new();
+    let sets = ["--set", "resolution.spacing=0.04", "--set", "time.end=1.2"];
+    let ended = place.run(&[&["run", "box_on_floor"][..], &sets, &["--out", "out"]].concat());
+    assert_eq!(ended.code, Some(0), "{}", ended.message);
+    let summary = place.summary("out");
+    for name in ["peak_force_N_per_m", "impulse_N_s_per_m"] {
+        assert_eq!(summary["results"][name]["verdict"], "not_resolved", "{name}");
+    }
+    let doubts = summary["doubts"].to_string();
+    assert!(doubts.contains("peak_force_N_per_m, ") && doubts.contains("`tank` and `box` touch at"), "{doubts}");
+}
+
 /// A panel that yields is judged by its strain: its stress is nowhere above the law of its material.
 #[test]
 fn a_panel_that_yields_has_a_strain_for_a_result() {

@@ -82,6 +82,14 @@ impl Averaging {
         matches!(self.by, BandwidthBy::Scene | BandwidthBy::Impact)
     }
 
+    /// Why there is no mean in a run that is too short for it.
+    pub fn longer_than_run(self, key: &str) -> String {
+        let [time, bandwidth] = [self.time, CUTOFF / self.time].map(significant);
+        format!(
+            "the run is shorter than the time of its mean, {time} s: set a later time.end, or report.{key} above {bandwidth} Hz"
+        )
+    }
+
     /// Why a bandwidth that a scene asks for is not resolved.
     pub fn too_short(self, key: &str, spacing: f64) -> Option<String> {
         (self.time < self.least * (1.0 - EQUAL)).then(|| {

@@ -21,6 +21,27 @@ impl Doubts {
 }
 
 impl Results {
+    /// What comes at `from` [s] or later, or belongs to the whole run, is not resolved, and why, in a sentence that names it.
+    pub(crate) fn unresolve(&mut self, from: f64, why: &str) -> Option<String> {
+        let mut names = Vec::new();
+        let own = [
+            ("peak_force_N_per_m", &mut self.peak_force_N_per_m),
+            ("peak_acceleration_g", &mut self.peak_acceleration_g),
+            ("peak_pressure_Pa", &mut self.peak_pressure_Pa),
+            ("impulse_N_s_per_m", &mut self.impulse_N_s_per_m),
+        ];
+        for (name, quantity) in own {
+            let Some(quantity) = quantity.as_mut().filter(|q| q.time_s.is_none_or(|time| time >= from)) else {
+                continue;
+            };
+            if matches!(quantity.verdict, Verdict::Resolved | Verdict::NoBand) {
+                *quantity = Quantity { band: None, verdict: Verdict::NotResolved, ..*quantity };
+            }
+            names.push(name);
+        }
+        (!names.is_empty()).then(|| format!("{}: {why}", names.join(", ")))
+    }
+
     /// The same without bands, and why: the flow was computed with keys of the method, in words, with which no band was measured.
     pub(super) fn without_bands(mut self, unusual: &[String], doubts: &mut Doubts) -> Results {
         let why = format!("no band was measured with {}", unusual.join(", "));

@@ -110,7 +110,7 @@ impl Judge {
         let known = force.as_ref().is_some_and(|(quantity, _)| quantity.verdict == Verdict::Resolved);
         let by_acceleration = |peak: Extreme, raw: Extreme| {
             let dry = curves.draught_at(peak.time) <= self.spacing;
-            let falls = dry && peak.value <= (1.0 + LEAST_FORCE_BAND) * self.gravity; // before the water bears
+            let falls = dry && self.gravity > 0.0 && peak.value <= (1.0 + LEAST_FORCE_BAND) * self.gravity; // before the water bears
             match (falls, known) {
                 (true, true) => {
                     let why = "it is that of the fall: the water accelerates the body less";
@@ -164,7 +164,7 @@ impl Judge {
     ) -> Option<(Quantity, Option<String>)> {
         let (raw, window) = (curve.largest()?, averaging.time);
         let Some(mean) = curve.largest_mean(window) else {
-            let (value, why) = (factor * raw.value, "the run is shorter than the time of its mean".to_string());
+            let (value, why) = (factor * raw.value, averaging.longer_than_run(key));
             let quantity = Quantity {
                 value,
                 time_s: Some(raw.time),

@@ -1,6 +1,6 @@
 //! Gathers the curves of the results in every step.
 
-use fsi_coupling::{Body, Coupled, Motion};
+use fsi_coupling::{Body, Coupled, Motion, TouchRecord};
 use sph_core::state_bytes::{StateError, decode, encode, expect_count};
 
 use super::filtered::FilteredAcceleration;
@@ -8,7 +8,7 @@ use super::judge::{Curves, Judge};
 use super::panel::StressPeak;
 use super::running_integral::RunningIntegral;
 use super::{Results, Verdict};
-use crate::scene::{self, Scene};
+use crate::scene::{self, Scene, significant};
 
 /// Gathers the curves of the results in every step.
 pub struct ResultsObserver {
@@ -77,8 +77,22 @@ impl ResultsObserver {
         let panels = system.bodies().flat_map(|body| body.panels());
         let modes = system.bodies().filter_map(|body| StressPeak::of_modes(&body.modes()?));
         let panels: Vec<StressPeak> = panels.map(|panel| StressPeak::from(&panel)).chain(modes).collect();
-        Judge::new(scene).results(&self.curves, &panels)
+        let (mut results, mut doubts) = Judge::new(scene).results(&self.curves, &panels);
+        doubts.extend(touch(system).and_then(|(time, why)| results.unresolve(time, &why)));
+        (results, doubts)
     }
+}
+
+/// When the first body touched another or the tank [s], from when on its forces are not known, and why.
+fn touch(system: &Coupled) -> Option<(f64, String)> {
+    let own = system.bodies().find(|body| body.motion().is_some())?;
+    let of_own = system.touched().iter().filter(|touch| touch.bodies.iter().any(|name| name == own.name()));
+    let TouchRecord { bodies: [a, b], first, .. } = of_own.min_by(|a, b| a.first.total_cmp(&b.first))?;
+    let why = format!(
+        "`{a}` and `{b}` touch at {} s: the pressure of the film of water between them is 5 to 30 % off or of the wrong sign",
+        significant(*first)
+    );
+    Some((*first, why))
 }
 
 /// Force with which the water pulls on a body where its pressure is below the air's [N/m]; of both halves of a symmetric one.

@@ -84,7 +84,7 @@ impl StressPeak {
         }
         (self.strain_across < LEAST_STRAIN_ACROSS).then(|| {
             let percent = significant(100.0 * self.strain_across);
-            format!("its strain falls to {percent} % within an element: use more `elements`, and a `hardening_modulus` above 0")
+            format!("its strain falls to {percent} % within an element: use more `elements`, or a larger `hardening_modulus`")
         })
     }
 

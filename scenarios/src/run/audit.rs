@@ -1,5 +1,6 @@
 //! Conservation over a run, and what of it makes its results doubtful.
 
+use fsi_coupling::{Coupled, Energy};
 use serde::Serialize;
 
 use crate::observers::WorstPenetration;
@@ -14,6 +15,9 @@ const ENERGY: f64 = 0.02;
 const SURFACE: f64 = 0.05;
 /// Largest share of the exchanged work that may be lost between water and body, or within the body [-].
 const WORK: f64 = 0.01;
+
+/// Largest share that is told as a number [-].
+const MOST_TOLD: f64 = 10.0;
 
 /// Conservation over the run (THEORY CO27, CO28).
 #[derive(Clone, Debug, Default, Serialize)]
@@ -54,20 +58,23 @@ impl Audit {
 
     /// What is out of bounds, in sentences.
     pub fn doubts(&self) -> Vec<String> {
-        let percent = |share: f64| format!("{} %", significant(100.0 * share));
+        let percent = |share: f64| match share > MOST_TOLD {
+            true => format!("more than {} %", 100.0 * MOST_TOLD),
+            false => format!("{} %", significant(100.0 * share)),
+        };
         let told = [
             beyond(self.momentum, MOMENTUM).then(|| {
                 format!("audit.momentum: a step has a gap of {} of the momentum: a force has no counterforce", significant(self.momentum))
             }),
             beyond(self.energy, ENERGY).then(|| {
                 format!(
-                    "audit.energy: {} of the energy exchanged came from nowhere; the method adds it to gentle motion: use a finer spacing",
+                    "audit.energy: {} of the energy exchanged came from nowhere: look at the frames, then use a finer spacing",
                     percent(self.energy)
                 )
             }),
             self.loses_work().then(|| {
                 format!(
-                    "audit.work: {} of the work of the water did not reach the body: the step is too long for how fast the body bends; \
+                    "audit.work: {} of the work of the water did not reach the body: the step is too long; \
                      set a smaller time.step or fluid.cfl",
                     percent(self.work)
                 )
@@ -85,6 +92,19 @@ impl Audit {
         ];
         told.into_iter().flatten().collect()
     }
+}
+
+/// Change of a body's energies plus dissipation minus the work done on it, over the work exchanged (THEORY CO17).
+pub(super) fn structure_gap(system: &Coupled, k: usize, start: f64) -> f64 {
+    let Some(body) = system.bodies().nth(k).filter(|body| !body.is_prescribed()) else { return 0.0 };
+    let (energy, exchanged) = (body.energy(), system.work_audit(k).exchanged);
+    let gap = held(&energy) - start + energy.dissipated - energy.work - energy.support - energy.links;
+    if exchanged > 0.0 { gap.abs() / exchanged } else { 0.0 }
+}
+
+/// Energy that a body holds [J/m].
+pub(super) fn held(energy: &Energy) -> f64 {
+    energy.kinetic + energy.potential + energy.elastic
 }
 
 #[cfg(test)]

@@ -3,11 +3,12 @@
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use fsi_coupling::{Coupled, Energy};
+use fsi_coupling::Coupled;
 use sph_core::{Fluid, Phase, Solver, projection};
 use tracing::warn;
 
 use super::RunError;
+use super::audit::{held, structure_gap};
 use super::link_results::{contact_results, joint_results};
 use super::modes::ModesResult;
 use super::particle_order::particle_order;
@@ -276,7 +277,10 @@ impl Recorder {
             worst_penetration: self.history.worst_penetration().cloned(),
             stopped_at_plate: Some(system.stopped()).filter(|&stopped| stopped > 0),
         };
-        let results = results.with_work_lost(audit.loses_work());
+        let mut results = results.with_work_lost(audit.loses_work());
+        if status == Status::Failed {
+            doubts.extend(results.unresolve(0.0, "the run broke down"));
+        }
         let of_waves = unlikely_waves(scene, &self.series);
         let others = super::panel::rupture_doubt(system, &results).into_iter().chain(self.host_doubt.clone());
         doubts.extend(audit.doubts().into_iter().chain(of_waves).chain(others));
@@ -384,17 +388,4 @@ fn projection(fluid: &Fluid) -> Option<Projection> {
     let theirs = || thesis_work(fluid).map(|(iterations, solves)| (iterations, solves, None));
     let (iterations, solves, pinned_last) = fluid.scheme().map(own).or_else(theirs)?;
     Some(Projection { iterations_mean: iterations as f64 / fluid.steps().max(1) as f64, solves, pinned_last })
-}
-
-/// Change of a body's energies plus dissipation minus the work done on it, over the work exchanged (THEORY CO17).
-fn structure_gap(system: &Coupled, k: usize, start: f64) -> f64 {
-    let Some(body) = system.bodies().nth(k).filter(|body| !body.is_prescribed()) else { return 0.0 };
-    let (energy, exchanged) = (body.energy(), system.work_audit(k).exchanged);
-    let gap = held(&energy) - start + energy.dissipated - energy.work - energy.support - energy.links;
-    if exchanged > 0.0 { gap.abs() / exchanged } else { 0.0 }
-}
-
-/// Energy that a body holds [J/m].
-fn held(energy: &Energy) -> f64 {
-    energy.kinetic + energy.potential + energy.elastic
 }

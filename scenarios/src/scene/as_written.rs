@@ -6,11 +6,15 @@ use serde_json::Value;
 use super::outline::OutlineReport;
 use super::source::{Segment, segments};
 
-/// A problem of `body.points` in a scene that names a file, and of a panel's end in one that numbers points, in its own words.
+/// A problem of `body.points` or `body.displacements` in a scene that names a file, and of a panel's end in one that numbers points, in its own words.
 pub(super) fn as_written(problem: Problem, written: &Value, outline: Option<&OutlineReport>) -> Problem {
     let given = problem.given.as_deref().unwrap_or_default();
     if let (Some(file), "body.points") = (outline, problem.key.as_str()) {
         return Problem::new("body.outline", format!("{:?}: {given}", file.file), &problem.expected);
+    }
+    let file = written.pointer("/body/motion_file").filter(|_| problem.key == "body.displacements");
+    if let Some(file) = file {
+        return Problem::new("body.motion_file", format!("{file}: {given}"), &problem.expected);
     }
     let steps: Vec<Segment> = segments(&problem.key).collect();
     let [Segment::Key("body"), Segment::Key("panels"), Segment::Index(index), Segment::Key(end @ ("from" | "to"))] =

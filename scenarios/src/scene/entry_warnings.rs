@@ -56,7 +56,12 @@ pub(super) fn lost_forces(scene: &Scene) -> Vec<String> {
 pub(super) fn short_of_water_all(scene: &Scene) -> Vec<String> {
     let entries = scene.entries();
     let dry = entries.iter().filter(|(_, entry)| entry.final_draught <= 0.0);
-    dry.map(|(body, entry)| scene.about(body) + &short_of_water(entry)).collect()
+    dry.map(|(body, entry)| scene.about(body) + &short_of_water(entry) + turning(body)).collect()
+}
+
+/// What the draught of a theory leaves out.
+fn turning(body: &Body) -> &'static str {
+    if body.angular_velocity_deg_per_s == 0.0 { "" } else { ", if it does not turn: its rotation is left out here" }
 }
 
 /// A body that ends its run in the air.

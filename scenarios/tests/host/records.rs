@@ -77,6 +77,9 @@ fn a_failed_run_has_a_summary_that_tells_why() {
     let summary = summary(&dir);
     assert_eq!(summary["status"], "failed");
     assert_eq!(summary["message"], error.to_string());
+    for (name, quantity) in summary["results"].as_object().expect("results") {
+        assert!(quantity.get("verdict").is_none_or(|verdict| verdict == "not_resolved"), "{name}: {quantity}");
+    }
 }
 
 /// A run that was dropped before its end has a page about the host's motion as well.

@@ -95,7 +95,7 @@ pub(super) fn verdict_of(run: &RunFolder, name: &str, quantity: &Quantity) -> St
         Some(panel) if ["not_resolved", "acoustic"].contains(&quantity.verdict.as_str()) && !told(panel) => {
             format!("{words}, as the force")
         }
-        _ if run.is_interrupted() && quantity.time_s.is_none() => format!("up to {}, not complete", end(run)),
+        _ if run.is_interrupted() && quantity.time_s.is_none() => "not complete".to_string(),
         _ if run.is_interrupted() => format!("{words}, so far"),
         _ if quantity.allowed == Some(false) => format!("{words}; not allowed"),
         _ => words,

@@ -36,7 +36,7 @@ pub(super) fn parse(text: &str, layer: Option<&str>) -> Result<Drawing, Fault> {
         match (entity.name, section) {
             ("SECTION", _) => {
                 section = entity.groups.iter().find(|group| group.code == 2).map_or("", |group| group.value);
-                drawing.unit = drawing.unit.or(unit(&entity));
+                drawing.unit = drawing.unit.or(unit(&entity)?);
             }
             ("ENDSEC", _) => section = "",
             ("LAYER", "TABLES") if entity.is_off()? => off.extend(entity.text(2)),
@@ -96,17 +96,42 @@ fn entities(text: &str) -> Result<Vec<Entity<'_>>, Fault> {
     Ok(entities)
 }
 
-/// The unit of the header's $INSUNITS [m].
-fn unit(section: &Entity) -> Option<f64> {
-    let at = section.groups.iter().position(|group| group.code == 9 && group.value == "$INSUNITS")?;
-    match section.groups.get(at + 1)?.value {
-        "1" => Some(0.0254),
-        "2" => Some(0.3048),
-        "4" => Some(1e-3),
-        "5" => Some(1e-2),
-        "6" => Some(1.0),
-        _ => None,
+/// Units of $INSUNITS by their number, 1 to 16 and 21 to 24 [m]: inch, foot, mile, mm, cm, m, km, microinch, mil, yard, angstrom, nm, micrometre,
+/// dm, dam, hm; foot, inch, yard and mile of US surveys.
+const UNITS: [(u32, f64); 20] = [
+    (1, 0.0254),
+    (2, 0.3048),
+    (3, 1609.344),
+    (4, 1e-3),
+    (5, 1e-2),
+    (6, 1.0),
+    (7, 1e3),
+    (8, 2.54e-8),
+    (9, 2.54e-5),
+    (10, 0.9144),
+    (11, 1e-10),
+    (12, 1e-9),
+    (13, 1e-6),
+    (14, 0.1),
+    (15, 10.0),
+    (16, 100.0),
+    (21, 1200.0 / 3937.0),
+    (22, 100.0 / 3937.0),
+    (23, 3600.0 / 3937.0),
+    (24, 6_336_000.0 / 3937.0),
+];
+
+/// The unit of the header's $INSUNITS [m]; none where it is absent, or 0.
+fn unit(section: &Entity) -> Result<Option<f64>, Fault> {
+    let at = section.groups.iter().position(|group| group.code == 9 && group.value == "$INSUNITS");
+    let Some(group) = at.and_then(|at| section.groups.get(at + 1)) else { return Ok(None) };
+    let number = group.value.parse::<u32>();
+    if number == Ok(0) {
+        return Ok(None);
     }
+    let known = UNITS.iter().find(|(own, _)| number == Ok(*own)).map(|(_, unit)| *unit);
+    let expected = "0, 1 to 16 or 21 to 24: a unit of length; body.outline_unit sets one";
+    known.map(Some).ok_or_else(|| Fault::new(group.line, format!("$INSUNITS = {}", shortened(group.value)), expected))
 }
 
 impl<'a> Entity<'a> {
@@ -299,7 +324,12 @@ mod tests {
     #[test]
     fn the_header_names_the_unit() {
         let text = "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n0\nLINE\n10\n0\n20\n0\n11\n1\n21\n0\n0\nENDSEC\n";
-        assert_eq!(parse(text, None).expect("a drawing").unit, Some(1e-3));
+        let of = |number: &str| parse(&text.replace("70\n4\n", &format!("70\n{number}\n")), None);
+        for (number, unit) in [("4", 1e-3), ("10", 0.9144), ("14", 0.1), ("21", 1200.0 / 3937.0)] {
+            assert_eq!(of(number).expect("a drawing").unit, Some(unit), "{number}");
+        }
+        assert_eq!(of("0").expect("a drawing").unit, None);
+        assert_eq!(of("17").expect_err("gigametres").line, 8);
     }
 
     #[test]

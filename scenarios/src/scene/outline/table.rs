@@ -22,6 +22,9 @@ pub(super) fn parse(text: &str, is_dat: bool) -> Result<Drawing, Fault> {
     let has_unit = [x, y].iter().any(|k| table.units.get(*k).is_some_and(|unit| !unit.is_empty()));
     let point = |(line, row): &(usize, Vec<f64>)| (*line, [row[x], other / unit * row[y]]);
     let mut points: Vec<_> = table.rows.iter().map(point).collect();
+    if !is_dat {
+        refuse_parts(&text, &points)?;
+    }
     if let (true, Some((_, [upper, lower]))) = (is_dat, points.first().copied()) {
         let count = points.len() as f64 - 1.0;
         // two counts of points, then the upper and the lower side, each from the nose (Lednicer)
@@ -32,6 +35,24 @@ pub(super) fn parse(text: &str, is_dat: bool) -> Result<Drawing, Fault> {
     }
     let unit_line = has_unit.then_some(table.header_line);
     Ok(Drawing { pieces: vec![points], unit: has_unit.then_some(unit), unit_line, format, ..Drawing::default() })
+}
+
+/// Two lines or more, of three points or more each, between blank lines: no order of all points is meant.
+fn refuse_parts(text: &str, points: &[(usize, [f64; 2])]) -> Result<(), Fault> {
+    let lines: Vec<&str> = text.lines().collect();
+    let is_blank = |line: usize| lines.get(line).is_some_and(|line| line.trim().is_empty());
+    let parts: Vec<_> = points.chunk_by(|(a, _), (b, _)| !(*a..b - 1).any(is_blank)).collect(); // lines count from 1
+    match parts[..] {
+        [_, second, ..] if parts.iter().all(|part| part.len() >= 3) => {
+            let given = format!("{} lines of points between blank lines", parts.len());
+            Err(Fault::new(
+                second[0].0,
+                given,
+                "one line of points; a drawing (DXF, SVG) may have several, as of a hole",
+            ))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// The text with its first line that says something as a comment, unless it is of numbers.
@@ -52,6 +73,13 @@ mod tests {
         let drawing = parse("n; x [mm]; y [mm]\n1; 0; 0\n2; 1000; 0\n3; 0; 500\n", false).expect("points");
         assert_eq!((drawing.pieces[0][1], drawing.unit), ((3, [1000.0, 0.0]), Some(1e-3)));
         assert!(parse("1,2,3\n1,2,3\n", false).is_err());
+    }
+
+    #[test]
+    fn two_lines_of_points_are_refused_and_single_blank_lines_are_not() {
+        let fault = parse("0 0\n1 0\n0 1\n\n2 0\n3 0\n2 1\n", false).expect_err("two lines of points");
+        assert_eq!(fault.line, 5);
+        assert_eq!(parse("x,y\n\n0,0\n\n1,0\n\n0,1\n\n", false).expect("points").pieces[0].len(), 3);
     }
 
     #[test]
