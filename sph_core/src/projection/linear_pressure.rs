@@ -6,6 +6,7 @@ use crate::interactions::geometry::pair_geometry;
 use crate::interactions::kernel::{Shape, TargetSum};
 use crate::projection::free_surface::lattice::Lattice;
 use crate::system::ParticleSystem;
+use crate::walls::outline::{closed_owners, turning_forces};
 use crate::walls::{OutlineShare, Walls};
 
 /// Weight of the hydrostatic gradient in the fit: that of as many particles at a smoothing length's distance as there are [-].
@@ -27,6 +28,8 @@ struct Place {
     surface: [f64; 2],
     /// Unit normal [-].
     normal: [f64; 2],
+    /// Depth below that [m].
+    depth: f64,
     /// Its share of the outline, in the frame of the normal.
     outline: OutlineShare,
     /// V_w ΣV∇W/κ [m].
@@ -84,7 +87,7 @@ impl LinearPressure {
         self.mirrored = domain.mirror.is_some();
         self.places.clear();
         self.places.resize(walls.len(), Place::default());
-        for owner in closed(walls) {
+        for owner in closed_owners(walls) {
             let sum = Places { system, walls, air, lattice, inverse, first: owner.start };
             domain.fluid.kernel.gather(&sum, &mut self.places[owner.clone()]);
             let fits = self.fits(owner.clone(), &walls.pressure);
@@ -126,12 +129,27 @@ impl LinearPressure {
             let fits = place.fits * place.covered;
             [0, 1].map(|i| fits * inside[i] + (1.0 - fits) * place.wet * near_air[i])
         };
-        places.iter().map(of).collect()
+        let forces = places.iter().map(of).collect();
+        if self.mirrored { forces } else { self.turned(places, fitted, forces) }
+    }
+
+    /// The same forces with the moment of the pressure on the outline, whose parts act beside the particles that take them.
+    fn turned(&self, places: &[Place], fitted: Option<Field>, forces: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
+        let still = self.still();
+        let of = |place: &Place| {
+            let inside = fitted.map_or(0.0, |field| field.at(place.surface));
+            let near_air = still.at(place.surface).max(0.0);
+            let fits = place.fits * place.covered;
+            -(fits * inside + (1.0 - fits) * place.wet * near_air) * place.outline.couple(place.depth)
+        };
+        let at: Vec<_> = places.iter().map(|place| (place.at, place.wet * place.outline.area[0].abs())).collect();
+        let turning = turning_forces(&at, places.iter().map(of).sum());
+        forces.into_iter().zip(turning).map(|([x, y], [tx, ty])| [x + tx, y + ty]).collect()
     }
 
     /// The forces on closed bodies, which act over a step of `dt` [s], take their corrections; returns the sum of these [N/m].
     pub fn correct_bodies(&self, walls: &mut Walls, dt: f64) -> [f64; 2] {
-        let owners: Vec<Range<usize>> = closed(walls).collect();
+        let owners: Vec<Range<usize>> = closed_owners(walls).collect();
         let mut sum = [0.0; 2];
         for owner in owners {
             let correction = self.correction(owner.clone(), &walls.pressure[owner.clone()]);
@@ -174,13 +192,6 @@ impl LinearPressure {
         let gradient = [self.weight[0] + more[0], self.weight[1] + more[1]];
         Some(Field { middle, pressure: mean, gradient })
     }
-}
-
-/// The owners that have a closed outline.
-fn closed(walls: &Walls) -> impl Iterator<Item = Range<usize>> + '_ {
-    let has_outline =
-        |owner: &&Range<usize>| walls.outline[(*owner).clone()].iter().any(|share| share.area != [0.0; 2]);
-    walls.owners.iter().filter(has_outline).cloned()
 }
 
 impl Place {
@@ -239,6 +250,7 @@ impl TargetSum for Places<'_> {
         Place {
             at,
             surface: [at[0] + walls.depth[k] * nx, at[1] + walls.depth[k] * ny],
+            depth: walls.depth[k],
             normal: [nx, ny],
             outline,
             gradient: gradient.map(|g| scale * g),
@@ -263,6 +275,7 @@ mod tests {
             Place {
                 at: [0, 1].map(|i| surface[i] - 0.1 * n[i]),
                 surface,
+                depth: 0.1,
                 normal: n,
                 outline: OutlineShare { area: [0.25, 0.0], moment: [[0.0; 2]; 2] },
                 gradient: [0.11 * n[0] + 0.01, 0.13 * n[1] - 0.02],

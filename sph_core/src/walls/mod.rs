@@ -7,6 +7,7 @@ pub mod contact;
 pub mod interface;
 pub(crate) mod interface_dynamics;
 pub mod midline;
+pub(crate) mod outline;
 pub(crate) mod state;
 pub(crate) mod visibility;
 
@@ -16,6 +17,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::state_bytes::{StateError, expect_count};
 use crate::walls::midline::PlateMidline;
+pub use crate::walls::outline::OutlineShare;
 
 /// Rows of boundary particles that a scheme needs behind a wall's surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,27 +32,6 @@ impl WallLayout {
     /// Aligned rows as deep as the kernel's support 2h, for a smoothing length over spacing of `ratio` [-].
     pub fn filling_support(ratio: f64) -> WallLayout {
         WallLayout { layers: (2.0 * ratio - 1e-9).ceil() as usize, staggered: false }
-    }
-}
-
-/// The part of a closed outline that a boundary particle stands for (THEORY PR19), in the frame of its normal and of the normal turned by
-/// +90°.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct OutlineShare {
-    /// a = ∫n ds [m].
-    pub area: [f64; 2],
-    /// ∫(r − s)⊗n ds about the surface s above the particle [m²].
-    pub moment: [[f64; 2]; 2],
-}
-
-impl OutlineShare {
-    /// ∫P n ds [N/m] of a pressure that is linear along the share: `pressure` [Pa] at the surface above the particle, whose normal is given,
-    /// with `gradient` [Pa/m].
-    pub(crate) fn integral(&self, [nx, ny]: [f64; 2], pressure: f64, [gx, gy]: [f64; 2]) -> [f64; 2] {
-        let OutlineShare { area, moment } = self;
-        let slope = [gx * nx + gy * ny, gy * nx - gx * ny];
-        let [along, across] = [0, 1].map(|b| pressure * area[b] + slope[0] * moment[0][b] + slope[1] * moment[1][b]);
-        [along * nx - across * ny, along * ny + across * nx]
     }
 }
 

@@ -5,6 +5,7 @@ use crate::interactions::packed_particle::PackedParticle;
 use crate::parallel;
 use crate::system::ParticleSystem;
 use crate::walls::Walls;
+use crate::walls::outline::{closed_owners, turning_forces};
 
 /// Depth below the lowest surface from which all of the pressure acts [h].
 const ONSET: f64 = 6.0;
@@ -63,19 +64,33 @@ impl StillPressure {
             (*x, *y) = (*x + fx, *y + fy);
         });
         let mut sum = parallel::sum(p.len(), on_fluid);
-        for k in 0..walls.len() {
-            let [fx, fy] = self.on_outline(system, walls, k);
+        for (k, [fx, fy]) in self.on_outlines(system, walls) {
             (walls.fx[k], walls.fy[k]) = (walls.fx[k] + fx, walls.fy[k] + fy);
             sum = [sum[0] + fx, sum[1] + fy];
         }
         system.force_of_tank = sum;
     }
 
-    /// −∫P n ds over the share of wall particle `k` [N/m].
-    fn on_outline(&self, system: &ParticleSystem, walls: &Walls, k: usize) -> [f64; 2] {
-        let (row, normal, depth) = (&system.packed.walls[k], [walls.nx[k], walls.ny[k]], walls.depth[k]);
-        let (pressure, gradient) = self.at(row.x + depth * normal[0], row.y + depth * normal[1]);
-        walls.outline[k].integral(normal, pressure, gradient).map(|f| -f)
+    /// −∫P n ds over the shares of the wall particles of closed outlines [N/m], with its moment.
+    fn on_outlines(&self, system: &ParticleSystem, walls: &Walls) -> Vec<(usize, [f64; 2])> {
+        let mut forces = Vec::new();
+        for owner in closed_owners(walls) {
+            let (mut places, mut couple, first) = (Vec::new(), 0.0, forces.len());
+            for k in owner {
+                let (row, share, normal) = (&system.packed.walls[k], &walls.outline[k], [walls.nx[k], walls.ny[k]]);
+                let (pressure, gradient) =
+                    self.at(row.x + walls.depth[k] * normal[0], row.y + walls.depth[k] * normal[1]);
+                forces.push((k, share.integral(normal, pressure, gradient).map(|f| -f)));
+                places.push(([row.x, row.y], share.area[0].abs()));
+                couple -= pressure * share.couple(walls.depth[k]);
+            }
+            if system.domain.mirror.is_none() {
+                for ((_, force), turning) in forces[first..].iter_mut().zip(turning_forces(&places, couple)) {
+                    *force = [force[0] + turning[0], force[1] + turning[1]];
+                }
+            }
+        }
+        forces
     }
 
     /// Power of these forces and of P on changing densities [W/m]: 0 but for the errors of the sums over pairs, which move nothing.
@@ -86,10 +101,7 @@ impl StillPressure {
             let rise = inverse * (sx * p.u[k] + sy * p.v[k]);
             [p.mass[k] * (pressure * density_rate[k] / (p.rho[k] * p.rho[k]) - rise)]
         });
-        let of_wall = |k: usize| {
-            let [fx, fy] = self.on_outline(system, walls, k);
-            fx * walls.u[k] + fy * walls.v[k]
-        };
-        of_fluid + (0..walls.len()).map(of_wall).sum::<f64>()
+        let of_walls = self.on_outlines(system, walls);
+        of_fluid + of_walls.into_iter().map(|(k, [fx, fy])| fx * walls.u[k] + fy * walls.v[k]).sum::<f64>()
     }
 }
