@@ -13,7 +13,7 @@ use crate::error_bar::{ErrorBar, ErrorBars};
 use crate::numbers::Numbers;
 use crate::power_law::PowerLaw;
 use crate::run::summary::Summary;
-use crate::scene::{Bottom, Kernel, Motion, Scene, Shape};
+use crate::scene::{Bottom, Kernel, Motion, Scene, Shape, share_of_walls};
 
 /// The laws of this program, written by `splashdown chart --all --fits scenarios/cases/charts/fits.json`.
 static LAWS: LazyLock<Vec<ErrorLaw>> = LazyLock::new(|| {
@@ -112,7 +112,7 @@ impl WedgeEntry {
         }
         let upright =
             matches!(entry.bottom, Bottom::Wedge { slope } if (slope - deadrise_deg.to_radians().tan()).abs() < 1e-9);
-        if !scene.unusual_keys(&PARAMETERS).is_empty() {
+        if !scene.unusual_keys(&PARAMETERS).is_empty() || share_of_walls(scene) > 0.0 {
             return None;
         }
         let sound = (!scene.solver.is_incompressible()).then_some(scene.sound_speed());

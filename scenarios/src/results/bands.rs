@@ -1,6 +1,6 @@
 //! Bands of forces and impulses by the draught in spacings (THEORY GE19).
 
-use crate::scene::{Bottom, Entry, LEAST_DRAUGHT, significant};
+use crate::scene::{Bottom, Entry, LEAST_DRAUGHT, known_compressibility_error, significant};
 
 /// Band of a peak force times its draught in spacings, weakly compressible and incompressible, shares of the force [-].
 const FORCE_BAND: [f64; 2] = [0.7, 1.0];
@@ -14,6 +14,21 @@ const LEAST_IMPULSE_BAND: [f64; 2] = [0.025, 0.04];
 const THIN_TIP: [f64; 2] = [0.15, 0.5];
 /// A force with a band wider than this is not resolved [-].
 const WIDEST: f64 = 0.4;
+
+/// Share that compressibility takes of the forces that the bands are fitted to [-].
+const ADMITTED: f64 = 0.01;
+
+/// Share of a force that compressibility takes beyond that, or why it is not known; none where water is incompressible [-].
+pub(super) fn lost_beyond(sound: Option<f64>, entry: &Entry) -> Result<f64, String> {
+    let mach = sound.map_or(0.0, |sound| entry.root_speed() / sound);
+    let lost = known_compressibility_error(mach, 1.0).ok_or_else(|| {
+        format!(
+            "the spray root starts at Mach {}: what compressibility takes of the force is known up to 0.3",
+            significant(mach)
+        )
+    })?;
+    Ok((lost - ADMITTED).max(0.0))
+}
 
 /// A draught [m], resolved by a spacing [m].
 #[derive(Clone, Copy)]

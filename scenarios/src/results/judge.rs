@@ -6,23 +6,20 @@ use serde::{Deserialize, Serialize};
 
 use super::air_pulse::air_pulse;
 use super::averaging::{Averaging, CUTOFF};
-use super::bands::{Depth, LEAST_FORCE_BAND};
+use super::bands::{Depth, LEAST_FORCE_BAND, lost_beyond};
 use super::doubts::Doubts;
 use super::panel::{StressPeak, panel_results};
 use super::running_integral::{Extreme, RunningIntegral};
 use super::tension::with_tension;
 use super::{Finding, Quantity, Results, STANDARD_GRAVITY, Verdict, WIDE};
 use crate::scene::{
-    Bottom, Entry, LEAST_DRAUGHT, Scene, Unusual, known_compressibility_error, limit_of_forces, resonant_panels,
-    significant,
+    Bottom, Entry, LEAST_DRAUGHT, Scene, Unusual, limit_of_forces, resonant_panels, share_of_walls, significant,
 };
 
 /// Bands of a peak pressure by the spacings across the length with 90 % of the peak: least length, share of the pressure [-].
 const PRESSURE_BANDS: [(f64, f64); 2] = [(17.0, 0.04), (5.0, 0.25)];
 /// What twice the time takes off a round bottom's peak counts so often in its band (GE20) [-].
 const ROUND_SMOOTHING: f64 = 1.5;
-/// Share that compressibility takes of the forces that the bands are fitted to [-].
-const ADMITTED: f64 = 0.01;
 /// Largest ratio of a single step's value to the mean [-].
 const LARGEST_RAW: f64 = 2.0;
 
@@ -68,6 +65,8 @@ pub(super) struct Judge {
     limit: Option<String>,
     /// Panels that vibrate with the water's sound, and why.
     resonant: Vec<(String, String)>,
+    /// Share that walls take of forces in incompressible water [-].
+    of_walls: f64,
     /// Keys of the method with which no band was measured, in words.
     unusual: Vec<String>,
 }
@@ -89,6 +88,7 @@ impl Judge {
             air,
             limit: limit_of_forces(scene),
             resonant: resonant_panels(scene),
+            of_walls: share_of_walls(scene),
             unusual: scene.unusual_keys(&[]).iter().map(Unusual::words).collect(),
         }
     }
@@ -239,15 +239,10 @@ impl Judge {
             Ok(share) => share,
             Err(why) => return (Verdict::NotResolved, None, Some(why)),
         };
-        let mach = self.sound_speed.map_or(0.0, |sound| entry.root_speed() / sound);
-        let Some(lost) = known_compressibility_error(mach, 1.0) else {
-            let why = format!(
-                "the spray root starts at Mach {}: what compressibility takes of the force is known up to 0.3",
-                significant(mach)
-            );
-            return (Verdict::Acoustic, None, Some(why));
-        };
-        (Verdict::Resolved, Some(share + (lost - ADMITTED).max(0.0)), None)
+        match lost_beyond(self.sound_speed, entry) {
+            Ok(lost) => (Verdict::Resolved, Some(share + lost + self.of_walls), None),
+            Err(why) => (Verdict::Acoustic, None, Some(why)),
+        }
     }
 
     /// What may be said of a peak that no theory of entry foresees: of a body that comes from the air, as much as its draught allows.
@@ -318,7 +313,13 @@ impl Judge {
         let value = x.hypot(y);
         let deepest = curves.draught.iter().fold(0.0_f64, |deepest, row| deepest.max(row[1]));
         let entry = self.entry.filter(|entry| !entry.is_flat() && value > 0.0);
-        let share = entry.map(|entry| self.depth(deepest).impulse_share(&entry));
+        let of_depth = |entry: &Entry| self.depth(deepest).impulse_share(entry);
+        let lost = |entry: &Entry| match entry.bottom {
+            Bottom::Arc { .. } => Ok(0.0), // its root is fast at first contact alone
+            _ => lost_beyond(self.sound_speed, entry),
+        };
+        let with_lost = |entry| Ok(of_depth(&entry)? + lost(&entry)? + self.of_walls);
+        let share = entry.map(with_lost);
         let (share, why) = match (&self.limit, share) {
             (Some(limit), _) => (None, Some(limit.clone())),
             (None, Some(Err(why))) => (None, Some(why)),
@@ -340,9 +341,21 @@ mod tests {
     /// A judge of a flow that no theory foresees.
     fn still() -> Judge {
         let of_force = Averaging { time: 0.3, least: 0.3, by: BandwidthBy::Spacing };
-        let (limit, air, resonant, unusual) = (None, None, Vec::new(), Vec::new());
+        let (limit, air, resonant, unusual, of_walls) = (None, None, Vec::new(), Vec::new(), 0.0);
         let (spacing, gravity, of_pressure) = (0.1, 9.81, of_force);
-        Judge { spacing, of_force, of_pressure, entry: None, gravity, sound_speed: None, air, limit, resonant, unusual }
+        Judge {
+            spacing,
+            of_force,
+            of_pressure,
+            entry: None,
+            gravity,
+            sound_speed: None,
+            air,
+            limit,
+            resonant,
+            unusual,
+            of_walls,
+        }
     }
 
     /// A force of 1 N/m for a second, with a step of 0.01 s that is so many times as large.

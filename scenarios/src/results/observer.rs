@@ -98,7 +98,10 @@ fn touch(system: &Coupled) -> Option<(f64, String)> {
 /// Force with which the water pulls on a body where its pressure is below the air's [N/m]; of both halves of a symmetric one.
 fn tension(system: &Coupled, body: usize) -> [f64; 2] {
     let walls = &system.walls;
-    let outwards = |k: usize| (walls.fx[k] * walls.nx[k] + walls.fy[k] * walls.ny[k]).max(0.0);
+    // still water's pressure acts on the first row alone (THEORY WC29): there the wall's own pressure tells whether it pulls
+    let pushes = |k: usize| system.fluid.external_force_varies() && walls.pressure[k] >= 0.0;
+    let pull = |k: usize| (walls.fx[k] * walls.nx[k] + walls.fy[k] * walls.ny[k]).max(0.0);
+    let outwards = |k: usize| if pushes(k) { 0.0 } else { pull(k) };
     let sum =
         system.range(body).fold([0.0; 2], |[x, y], k| [x + outwards(k) * walls.nx[k], y + outwards(k) * walls.ny[k]]);
     if system.fluid.domain().mirror.is_some() { [0.0, 2.0 * sum[1]] } else { sum }

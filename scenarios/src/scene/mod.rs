@@ -75,6 +75,7 @@ pub use impact::{
     Entry, FLAT_CONTACT, LARGEST_COMPRESSIBILITY_ERROR, LEAST_DRAUGHT, LEAST_SOUND_RATIO, compressibility_error,
     jet_reach, known_compressibility_error, sound_speed_for,
 };
+pub(crate) use incompressible::share_of_walls;
 pub use legacy::Integrator;
 pub(crate) use legacy::thesis_work;
 pub use library::{MATERIALS, MaterialName, MaterialProperties, WATER_TABLE, WaterName, WaterProperties};
