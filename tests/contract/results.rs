@@ -85,7 +85,7 @@ fn a_run_ends_at_the_first_rupture_and_says_so() {
 #[test]
 fn forces_of_a_body_that_touches_the_floor_are_not_resolved() {
     let place = Workplace::new();
-    let sets = ["--set", "resolution.spacing=0.04", "--set", "time.end=1.2"];
+    let sets = ["--set", "resolution.spacing=0.025"];
     let ended = place.run(&[&["run", "box_on_floor"][..], &sets, &["--out", "out"]].concat());
     assert_eq!(ended.code, Some(0), "{}", ended.message);
     let summary = place.summary("out");

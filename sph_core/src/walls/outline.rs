@@ -42,6 +42,9 @@ pub(crate) fn closed_owners(walls: &Walls) -> impl Iterator<Item = Range<usize>>
 /// Forces [N/m] at places [m], by weight, that turn with the moment `couple` [N] and have no resultant: those of a rigid rotation.
 pub(crate) fn turning_forces(places: &[([f64; 2], f64)], couple: f64) -> Vec<[f64; 2]> {
     let sum: f64 = places.iter().map(|(_, w)| w).sum();
+    if sum <= 0.0 {
+        return vec![[0.0; 2]; places.len()];
+    }
     let middle = [0, 1].map(|i| places.iter().map(|(at, w)| w * at[i]).sum::<f64>() / sum);
     let arm = |at: &[f64; 2]| [at[0] - middle[0], at[1] - middle[1]];
     let inertia: f64 = places.iter().map(|(at, w)| w * arm(at).iter().map(|d| d * d).sum::<f64>()).sum();
@@ -59,6 +62,7 @@ mod tests {
         let forces = turning_forces(&places, 3.0);
         let sum = forces.iter().fold([0.0; 2], |[x, y], f| [x + f[0], y + f[1]]);
         let moment: f64 = places.iter().zip(&forces).map(|((at, _), f)| at[0] * f[1] - at[1] * f[0]).sum();
+        assert_eq!(turning_forces(&[([1.0, 2.0], 0.0)], 3.0), [[0.0; 2]]);
         assert!(sum.iter().all(|f| f.abs() < 1e-14) && (moment - 3.0).abs() < 1e-14, "{sum:?}, {moment}");
     }
 }

@@ -106,7 +106,7 @@ impl Wcsph {
     fn evaluate_forces(&mut self, flow: &mut Flow<'_>, offset: f64) -> Option<StillPressure> {
         self.equation_of_state(flow.system);
         self.pack(flow.system, flow.walls, offset);
-        let still = self.settings.still_pressure.then(|| StillPressure::find(flow.system)).flatten(); // WC29
+        let still = self.settings.still_pressure.then(|| StillPressure::find(flow.system, flow.walls)).flatten(); // WC29
         accelerate_by_pairs(flow, &self.terms(flow.system), still, offset);
         still
     }

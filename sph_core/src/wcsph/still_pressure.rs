@@ -1,5 +1,7 @@
 //! The pressure of still water, which acts exactly where pairs would act by an arrangement of the particles (THEORY WC29).
 
+use std::ops::Range;
+
 use crate::interactions::forces::Forces;
 use crate::interactions::packed_particle::PackedParticle;
 use crate::parallel;
@@ -18,7 +20,7 @@ const KEPT: f64 = 2.0;
 pub(crate) struct StillPressure {
     /// ρ₀ g [N/m³].
     weight: [f64; 2],
-    /// ρ₀ g·r of the lowest surface, and what pairs keep [Pa].
+    /// ρ₀ g·r of the lowest surface, or of the bottom of a body that comes out of the water, and what pairs keep [Pa].
     surface: f64,
     /// L, the pressure at the depth from which all of it acts [Pa].
     onset: f64,
@@ -26,16 +28,23 @@ pub(crate) struct StillPressure {
 
 impl StillPressure {
     /// That of the present particles; none without gravity or surface. The free surface is where no wall is near.
-    pub fn find(system: &ParticleSystem) -> Option<StillPressure> {
+    pub fn find(system: &ParticleSystem, walls: &Walls) -> Option<StillPressure> {
         let (p, moments, domain) = (&system.particles, &system.fields.moments, &system.domain);
         let weight = domain.gravity.map(|g| domain.fluid.density * g);
-        let depth = |k: usize| weight[0] * p.x[k] + weight[1] * p.y[k];
+        let depth = |x: f64, y: f64| weight[0] * x + weight[1] * y;
         let free = |k: usize| moments[k].at_surface() && moments[k].wall_kernel_sum == 0.0;
-        let row = -parallel::least(p.len(), |k| if free(k) { -depth(k) } else { f64::INFINITY });
+        let row = -parallel::least(p.len(), |k| if free(k) { -depth(p.x[k], p.y[k]) } else { f64::INFINITY });
         let per_h = weight[0].hypot(weight[1]) * system.least_smoothing_length();
+        let (level, onset) = (row - 0.5 * per_h / domain.fluid.smoothing_ratio, ONSET * per_h);
+        let below = |owner: Range<usize>| {
+            let depths = owner.map(|k| depth(walls.x[k], walls.y[k]));
+            let [top, bottom] = depths.fold([f64::INFINITY, level], |[top, low], d| [top.min(d), low.max(d)]);
+            let emerged = (1.0 - (top - level) / onset).clamp(0.0, 1.0);
+            emerged * (bottom - level)
+        };
+        let lowest = closed_owners(walls).map(below).fold(0.0, f64::max);
         let fastest = -parallel::least(p.len(), |k| -(p.u[k] * p.u[k] + p.v[k] * p.v[k]));
-        let kept = KEPT * domain.fluid.density * fastest;
-        let (surface, onset) = (row - 0.5 * per_h / domain.fluid.smoothing_ratio + kept, ONSET * per_h);
+        let surface = level + lowest + KEPT * domain.fluid.density * fastest;
         (surface.is_finite() && onset > 0.0).then_some(StillPressure { weight, surface, onset })
     }
 
