@@ -80,7 +80,7 @@ fn a_light_box_floats_up_and_out_where_weak_coupling_breaks_down() {
                 rest.draught / DRAUGHT,
                 rest.swing / DRAUGHT
             );
-            assert!(up.wildest < 400.0 && rest.wildest < 100.0, "{scheme}: {} then {} m/s^2", up.wildest, rest.wildest);
+            assert!(up.wildest < 400.0 && rest.wildest < 150.0, "{scheme}: {} then {} m/s^2", up.wildest, rest.wildest);
             assert!(top > 0.0, "{scheme}: the box stays in the water, {top} m");
             assert!(momentum < 1e-10 && lost < 0.0, "{scheme}: momentum {momentum}, energy {lost} J/m");
         }
