@@ -16,7 +16,11 @@ pub(crate) fn limit_of_forces(scene: &Scene) -> Option<String> {
     if scene.body.is_none() || scene.model.is_theory() {
         return None;
     }
-    pushed(scene).or_else(|| outside_fine_zone(scene)).or_else(|| sinking(scene)).or_else(|| gap_limit(scene))
+    pushed(scene)
+        .or_else(|| planing(scene))
+        .or_else(|| outside_fine_zone(scene))
+        .or_else(|| sinking(scene))
+        .or_else(|| gap_limit(scene))
 }
 
 /// False where no wall has a pressure of its own that its surface's integral could be found of (THEORY GE8).
@@ -30,6 +34,33 @@ fn pushed(scene: &Scene) -> Option<String> {
     let fluid = scene.solver.weakly_compressible()?;
     repulsive_walls(&fluid.options)
         .then(|| "fluid.walls = \"repulsive\": the force of an impact is up to 70 % too low, for these walls push by contact impulses".to_string())
+}
+
+/// A flat face pitched by less than this [deg], beside one that is steeper than the other.
+const PITCHED: [f64; 2] = [15.0, 45.0];
+
+/// A flat face that is pitched and moves along: water leaves its lowest edge.
+fn planing(scene: &Scene) -> Option<String> {
+    let pitched = |(body, _): &(&Body, Entry)| {
+        let outline = body.placed_outline();
+        let lowest = (0..outline.len()).min_by(|&a, &b| outline[a][1].total_cmp(&outline[b][1]))?;
+        let slope = |to: usize| {
+            let [dx, dy] = [0, 1].map(|i| outline[to][i] - outline[lowest][i]);
+            dy.atan2(dx.abs()).to_degrees()
+        };
+        let n = outline.len();
+        let [a, b] = [slope((lowest + 1) % n), slope((lowest + n - 1) % n)];
+        let [flat, steep] = [a.min(b), a.max(b)];
+        let is_pitched = flat > 0.1 && flat < PITCHED[0] && steep > PITCHED[1];
+        (is_pitched && body.velocity[0] != 0.0).then(|| (scene.about(body), flat))
+    };
+    scene.entries().iter().find_map(pitched).map(|(about, pitch)| {
+        format!(
+            "{about}a flat face pitched by {} degrees moves along the water: no exact answer judges its forces, which fell by up to 19 % from \
+             one spacing to half of it",
+            significant(pitch)
+        )
+    })
 }
 
 /// Graded, incompressible water that does not start level sinks in its coarse rows (THEORY PR18), under a body that is slow beside what
@@ -95,6 +126,19 @@ mod tests {
         assert_eq!(limit(&[]), None);
         let waves = ["tank.surface_amplitude=0.001", "tank.surface_mode=2"];
         assert!(limit(&waves).is_some_and(|why| why.contains("level")));
+    }
+
+    #[test]
+    fn a_pitched_flat_face_that_moves_along_has_no_known_force() {
+        let limit = |velocity: &str| {
+            let text = format!(
+                "name = 'pitched'\n[time]\nend = 0.006\n[resolution]\nspacing = 0.004\n[body]\nname = 'b'\nshape = 'box'\nbreadth = 0.5\n\
+                 height = 0.2\nmotion = 'constant_velocity'\nangle_deg = 5\nposition = [0.0, 0.1214]\nvelocity = {velocity}\n"
+            );
+            limit_of_forces(&load_text("pitched", &text, &[]).expect("a scene").scene)
+        };
+        assert!(limit("[10.0, -3.0]").is_some_and(|why| why.contains("pitched by 5 degrees")));
+        assert_eq!(limit("[0.0, -3.0]"), None);
     }
 
     const SLOW: &str = "
