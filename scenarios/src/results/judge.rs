@@ -52,7 +52,7 @@ impl Curves {
 pub(super) struct Judge {
     pub(super) spacing: f64,
     /// Averaging times of forces, and of pressures.
-    of_force: Averaging,
+    pub(super) of_force: Averaging,
     of_pressure: Averaging,
     entry: Option<Entry>,
     /// Magnitude of gravity [m/s²].

@@ -298,7 +298,8 @@ fn resolve_fluid(
         let settles = matches!(water.fluid.kernel, Kernel::WendlandC2 | Kernel::WendlandC4);
         let iterates = draft.get("coupling.scheme") == Some(CouplingScheme::IqnIls);
         let follows = draft.get("resolution.follow") != Some(false);
-        if keeled && !bends && settles && !iterates && follows && legacy::holds_geometry(&options) {
+        let by_pairs = draft.get("fluid.still_pressure") != Some(true);
+        if by_pairs && keeled && !bends && settles && !iterates && follows && legacy::holds_geometry(&options) {
             draft.fill("fluid.acoustic_steps", ACOUSTIC_STEPS_OF_A_WEDGE);
         }
         under_water::fill_still_pressure(draft, &options, submerged)?;

@@ -59,7 +59,7 @@ pub struct Settings {
     #[schemars(extend("x-ignored-elsewhere" = true, "x-default" = "false; true with a rigid body that starts under water"))]
     pub wall_stretch: bool,
     /// Pairs act by the pressure less that of still water below the lowest surface, which acts exactly on water and closed bodies (THEORY
-    /// WC29). Else water under pressure resists bodies that move in it, however deep. Without effect where fluid.acoustic_steps is above 1.
+    /// WC29). Else water under pressure resists bodies that move in it, however deep. Not with fluid.acoustic_steps above 1.
     #[schemars(extend("x-ignored-elsewhere" = true, "x-default" = "false; true with a rigid body that starts under water"))]
     pub still_pressure: bool,
     /// Water within the kernel of both a wall and the air holds no tension (THEORY WC2), so that air comes in between and flow

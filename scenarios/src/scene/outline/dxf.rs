@@ -96,6 +96,9 @@ fn entities(text: &str) -> Result<Vec<Entity<'_>>, Fault> {
     Ok(entities)
 }
 
+/// Group code of a comment.
+const COMMENT: i32 = 999;
+
 /// Units of $INSUNITS by their number, 1 to 16 and 21 to 24 [m]: inch, foot, mile, mm, cm, m, km, microinch, mil, yard, angstrom, nm, micrometre,
 /// dm, dam, hm; foot, inch, yard and mile of US surveys.
 const UNITS: [(u32, f64); 20] = [
@@ -124,12 +127,13 @@ const UNITS: [(u32, f64); 20] = [
 /// The unit of the header's $INSUNITS [m]; none where it is absent, or 0.
 fn unit(section: &Entity) -> Result<Option<f64>, Fault> {
     let at = section.groups.iter().position(|group| group.code == 9 && group.value == "$INSUNITS");
-    let Some(group) = at.and_then(|at| section.groups.get(at + 1)) else { return Ok(None) };
-    let number = group.value.parse::<u32>();
-    if number == Ok(0) {
+    let value = at.and_then(|at| section.groups[at + 1..].iter().find(|group| group.code != COMMENT));
+    let Some(group) = value else { return Ok(None) };
+    let number = group.value.parse::<u32>().ok().filter(|_| group.code == 70);
+    if number == Some(0) {
         return Ok(None);
     }
-    let known = UNITS.iter().find(|(own, _)| number == Ok(*own)).map(|(_, unit)| *unit);
+    let known = UNITS.iter().find(|(own, _)| number == Some(*own)).map(|(_, unit)| *unit);
     let expected = "0, 1 to 16 or 21 to 24: a unit of length; body.outline_unit sets one";
     known.map(Some).ok_or_else(|| Fault::new(group.line, format!("$INSUNITS = {}", shortened(group.value)), expected))
 }
@@ -330,6 +334,8 @@ mod tests {
         }
         assert_eq!(of("0").expect("a drawing").unit, None);
         assert_eq!(of("17").expect_err("gigametres").line, 8);
+        let told = text.replace("70\n4\n", "999\n4\n70\n6\n");
+        assert_eq!(parse(&told, None).expect("a drawing with a comment").unit, Some(1.0));
     }
 
     #[test]

@@ -37,13 +37,16 @@ pub(super) fn parse(text: &str, is_dat: bool) -> Result<Drawing, Fault> {
     Ok(Drawing { pieces: vec![points], unit: has_unit.then_some(unit), unit_line, format, ..Drawing::default() })
 }
 
-/// Two lines or more, of three points or more each, between blank lines: no order of all points is meant.
+/// A part that is closed, or nearly, ends nearer to its first point than this, over its longest side [-].
+const NEARLY_CLOSED: f64 = 1.5;
+
+/// Two lines or more between blank lines, each nearly closed: no order of all points is meant.
 fn refuse_parts(text: &str, points: &[(usize, [f64; 2])]) -> Result<(), Fault> {
     let lines: Vec<&str> = text.lines().collect();
     let is_blank = |line: usize| lines.get(line).is_some_and(|line| line.trim().is_empty());
     let parts: Vec<_> = points.chunk_by(|(a, _), (b, _)| !(*a..b - 1).any(is_blank)).collect(); // lines count from 1
     match parts[..] {
-        [_, second, ..] if parts.iter().all(|part| part.len() >= 3) => {
+        [_, second, ..] if parts.iter().all(|part| is_nearly_closed(part)) => {
             let given = format!("{} lines of points between blank lines", parts.len());
             Err(Fault::new(
                 second[0].0,
@@ -53,6 +56,12 @@ fn refuse_parts(text: &str, points: &[(usize, [f64; 2])]) -> Result<(), Fault> {
         }
         _ => Ok(()),
     }
+}
+
+fn is_nearly_closed(part: &[(usize, [f64; 2])]) -> bool {
+    let side = |a: [f64; 2], b: [f64; 2]| (b[0] - a[0]).hypot(b[1] - a[1]);
+    let longest = part.windows(2).map(|two| side(two[0].1, two[1].1)).fold(0.0, f64::max);
+    part.len() >= 3 && side(part[part.len() - 1].1, part[0].1) <= NEARLY_CLOSED * longest
 }
 
 /// The text with its first line that says something as a comment, unless it is of numbers.
@@ -79,6 +88,12 @@ mod tests {
     fn two_lines_of_points_are_refused_and_single_blank_lines_are_not() {
         let fault = parse("0 0\n1 0\n0 1\n\n2 0\n3 0\n2 1\n", false).expect_err("two lines of points");
         assert_eq!(fault.line, 5);
+        let round = |blank: usize| {
+            let point = |k: usize| (k as f64 * std::f64::consts::TAU / 16.0).sin_cos();
+            let line = |k: usize| format!("{} {}{}", point(k).0, point(k).1, if k == blank { "\n\n" } else { "\n" });
+            parse(&(0..16).map(line).collect::<String>(), false)
+        };
+        assert!((3..13).all(|blank| round(blank).is_ok_and(|drawing| drawing.pieces[0].len() == 16)));
         assert_eq!(parse("x,y\n\n0,0\n\n1,0\n\n0,1\n\n", false).expect("points").pieces[0].len(), 3);
     }
 
