@@ -3,9 +3,8 @@
 use sph_core::{Auto, Dissipation};
 
 use super::draft::Draft;
-use super::legacy;
+use super::legacy::{self, Options};
 use fsi_coupling::settings::{Problem, require};
-use sph_core::legacy::Options;
 
 /// Artificial viscosity α [-]. With the usual one a cylinder of half the water's density, 10 spacings across, rises 15 % too slowly.
 const VISCOSITY: f64 = 0.005;
