@@ -80,7 +80,8 @@ fn a_light_box_floats_up_and_out_where_weak_coupling_breaks_down() {
                 rest.draught / DRAUGHT,
                 rest.swing / DRAUGHT
             );
-            assert!(up.wildest < 400.0 && rest.wildest < 150.0, "{scheme}: {} then {} m/s^2", up.wildest, rest.wildest);
+            // as it falls back: 107 m/s^2 at one spacing with WC29, below 100 without; it leaps to the same height with both
+            assert!(up.wildest < 400.0 && rest.wildest < 120.0, "{scheme}: {} then {} m/s^2", up.wildest, rest.wildest);
             assert!(top > 0.0, "{scheme}: the box stays in the water, {top} m");
             assert!(momentum < 1e-10 && lost < 0.0, "{scheme}: momentum {momentum}, energy {lost} J/m");
         }

@@ -1,6 +1,6 @@
 //! Doubts about results: why, and about which.
 
-use super::{Quantity, Results, Verdict};
+use super::{OWN, Quantity, Results, Verdict};
 
 /// Reasons, each with the names of the results that it is about.
 #[derive(Default)]
@@ -24,13 +24,7 @@ impl Results {
     /// What comes at `from` [s] or later, or belongs to the whole run, is not resolved, and why, in a sentence that names it.
     pub(crate) fn unresolve(&mut self, from: f64, why: &str) -> Option<String> {
         let mut names = Vec::new();
-        let own = [
-            ("peak_force_N_per_m", &mut self.peak_force_N_per_m),
-            ("peak_acceleration_g", &mut self.peak_acceleration_g),
-            ("peak_pressure_Pa", &mut self.peak_pressure_Pa),
-            ("impulse_N_s_per_m", &mut self.impulse_N_s_per_m),
-        ];
-        for (name, quantity) in own {
+        for (name, quantity) in OWN.into_iter().zip(self.own_mut()) {
             let Some(quantity) = quantity.as_mut().filter(|q| q.time_s.is_none_or(|time| time >= from)) else {
                 continue;
             };

@@ -141,6 +141,10 @@ pub struct Results {
     pub panels: BTreeMap<String, PanelResults>,
 }
 
+/// Names of the body's results.
+pub(in crate::results) const OWN: [&str; 4] =
+    ["peak_force_N_per_m", "peak_acceleration_g", "peak_pressure_Pa", "impulse_N_s_per_m"];
+
 impl Results {
     /// The same; where work of the water is lost between fluid and body, what panels bear is not resolved.
     pub(crate) fn with_work_lost(mut self, lost: bool) -> Results {
@@ -155,15 +159,16 @@ impl Results {
         self
     }
 
+    /// The body's results, in the order of [`OWN`].
+    pub(in crate::results) fn own_mut(&mut self) -> [&mut Option<Quantity>; 4] {
+        let Results { peak_force_N_per_m, peak_acceleration_g, peak_pressure_Pa, impulse_N_s_per_m, .. } = self;
+        [peak_force_N_per_m, peak_acceleration_g, peak_pressure_Pa, impulse_N_s_per_m]
+    }
+
     /// Results with their names, those of panels as `NAME.peak_stress_Pa`.
     pub fn named(&self) -> Vec<(String, Quantity)> {
-        let own = [
-            ("peak_force_N_per_m", self.peak_force_N_per_m),
-            ("peak_acceleration_g", self.peak_acceleration_g),
-            ("peak_pressure_Pa", self.peak_pressure_Pa),
-            ("impulse_N_s_per_m", self.impulse_N_s_per_m),
-        ];
-        let own = own.into_iter().filter_map(|(name, quantity)| Some((name.to_string(), quantity?)));
+        let own = [self.peak_force_N_per_m, self.peak_acceleration_g, self.peak_pressure_Pa, self.impulse_N_s_per_m];
+        let own = OWN.into_iter().zip(own).filter_map(|(name, quantity)| Some((name.to_string(), quantity?)));
         let panels = self.panels.iter().flat_map(|(name, panel)| {
             let stress = (format!("{name}.peak_stress_Pa"), panel.peak_stress_Pa);
             let strain = panel.peak_strain.map(|strain| (format!("{name}.peak_strain"), strain));

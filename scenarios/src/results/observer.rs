@@ -39,9 +39,9 @@ impl ResultsObserver {
             return;
         };
         self.curves.force.take(time, motion.force);
-        let touches = system.touched().iter().any(|touch| touch.bodies.iter().any(|name| name == body.name()));
         // in the film between solids no air comes in
-        self.curves.tension.take(time, if touches { [0.0; 2] } else { tension(system, index) });
+        let tension = if first_touch(system, body.name()).is_some() { [0.0; 2] } else { tension(system, index) };
+        self.curves.tension.take(time, tension);
         if self.free {
             self.curves.acceleration.take(time, motion.acceleration);
         }
@@ -90,13 +90,18 @@ impl ResultsObserver {
 /// When the first body touched another or the tank [s], from when on its forces are not known, and why.
 fn touch(system: &Coupled) -> Option<(f64, String)> {
     let own = system.bodies().find(|body| body.motion().is_some())?;
-    let of_own = system.touched().iter().filter(|touch| touch.bodies.iter().any(|name| name == own.name()));
-    let TouchRecord { bodies: [a, b], first, .. } = of_own.min_by(|a, b| a.first.total_cmp(&b.first))?;
+    let TouchRecord { bodies: [a, b], first, .. } = first_touch(system, own.name())?;
     let why = format!(
         "`{a}` and `{b}` touch at {} s: the pressure of the film of water between them is 5 to 30 % off or of the wrong sign",
         significant(*first)
     );
     Some((*first, why))
+}
+
+/// The first touch of a body.
+fn first_touch<'a>(system: &'a Coupled, name: &str) -> Option<&'a TouchRecord> {
+    let of_body = system.touched().iter().filter(|touch| touch.bodies.iter().any(|own| own == name));
+    of_body.min_by(|a, b| a.first.total_cmp(&b.first))
 }
 
 /// Force with which the water pulls on a body where its pressure is below the air's [N/m]; of both halves of a symmetric one.

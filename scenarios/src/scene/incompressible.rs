@@ -105,13 +105,16 @@ const OF_WALLS: [f64; 2] = [0.06, 1.585];
 
 /// Distance of the nearest wall or floor and the draught at the end, where an impact of incompressible water feels it [m].
 fn felt_walls(scene: &Scene) -> Option<(f64, f64)> {
+    if !scene.solver.is_incompressible() {
+        return None;
+    }
     let entries = scene.entries();
     let near = |(body, entry): &(&Body, Entry)| {
         let reach = (0.5 * scene.tank.width - body.middle().abs()).min(scene.tank.depth);
         (reach, entry.final_draught)
     };
     let felt = entries.iter().map(near).filter(|(reach, draught)| *draught > 0.0 && *reach < REACH * draught);
-    felt.filter(|_| scene.solver.is_incompressible()).max_by(|a, b| (a.1 / a.0).total_cmp(&(b.1 / b.0)))
+    felt.max_by(|a, b| (a.1 / a.0).total_cmp(&(b.1 / b.0)))
 }
 
 /// Share of a force that walls take which incompressible water feels; 0 where they are far [-].

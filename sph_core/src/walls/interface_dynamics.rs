@@ -12,7 +12,7 @@ use crate::timers::Phase;
 use crate::walls::Walls;
 use crate::walls::interface::{InterfaceLoad, ParticleLoad, WallInterface};
 use crate::walls::state::extrapolate_to_walls;
-use crate::wcsph::still_pressure::StillPressure;
+use crate::walls::still_pressure::StillPressure;
 
 /// CO4: how pressure and force of a wall particle change with its acceleration.
 #[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
@@ -88,7 +88,7 @@ pub(crate) fn accelerate_by_pairs(flow: &mut Flow<'_>, terms: &PairTerms, still:
     gather_wall_forces(system, terms, walls);
     system.force_of_tank = [0.0; 2];
     if let Some(still) = still {
-        still.act(system, walls, &mut forces); // −V ∇P, −∫P n ds
+        still.act(system, walls, &mut forces); // −m ∇P/ρ₀, −∫P n ds
     }
     if !interfaces.is_empty() {
         solve_interfaces(system, walls, interfaces, &mut forces, offset); // CO4–CO6

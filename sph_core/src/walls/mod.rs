@@ -9,6 +9,7 @@ pub(crate) mod interface_dynamics;
 pub mod midline;
 pub(crate) mod outline;
 pub(crate) mod state;
+pub(crate) mod still_pressure;
 pub(crate) mod visibility;
 
 use std::ops::Range;

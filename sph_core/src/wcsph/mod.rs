@@ -10,7 +10,6 @@ mod settings;
 pub(crate) mod shifting;
 pub mod split_explicit;
 pub(crate) mod step_limit;
-pub(crate) mod still_pressure;
 pub(crate) mod updates;
 
 use crate::domain::Domain;
@@ -28,12 +27,12 @@ use crate::system::ParticleSystem;
 use crate::timers::Phase;
 use crate::walls::Walls;
 use crate::walls::interface_dynamics::accelerate_by_pairs;
+use crate::walls::still_pressure::StillPressure;
 
 use eos::Tait;
 use rest::{hold_at_rest, release_all, release_drifted};
 use shifting::{even_out, settle};
 use step_limit::{StepLimit, rebuild_lists};
-use still_pressure::StillPressure;
 use updates::{advance_density_and_drift, kick, kick_and_drift};
 
 pub use settings::Settings;
