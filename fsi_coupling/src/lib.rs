@@ -2,8 +2,8 @@
 //! act on it.
 //!
 //! [`geometry`] turns shapes into particles, [`bodies`] has the contract of a body and the bodies, [`coupling`] the step of fluid and
-//! bodies together, [`entry_theory`] analytical models of water entry, [`waves`] those of a piston, [`embed`] the element for
-//! programs with a time loop of their own, [`settings`] structs of settings that document and check themselves.
+//! bodies together, [`embed`] the element for
+//! programs with a time loop of their own.
 //!
 //! A wedge falls into a tank of water:
 //! ```
@@ -51,22 +51,21 @@
 pub mod bodies;
 pub mod coupling;
 pub mod embed;
-pub mod entry_theory;
 pub mod geometry;
-pub mod settings;
-pub mod waves;
 
+pub use bodies::bending::frame::Frame;
+pub use bodies::bending::surface_mode::SurfaceMode;
 pub use bodies::body::{Body, Contact, Inspect, Linked, WettedBody};
 pub use bodies::error::BodyError;
 pub use bodies::flexible::body::FlexibleBody;
-pub use bodies::flexible::model::{FlexibleSpec, Frame};
+pub use bodies::flexible::model::FlexibleSpec;
 pub use bodies::flexible::panel::{EndSpring, PanelBar, PanelEnd, PanelMesh, PanelSpec, Plane};
 pub use bodies::flexible::panel_modes::PanelModes;
-pub use bodies::flexible::panel_state::{PanelState, Station, Watched, Worst};
 pub use bodies::flexible::wet_period::{first_wet_period, natural_frequencies};
 pub use bodies::modal::body::ModalBody;
-pub use bodies::modal::spec::{ModalSpec, SurfaceMode};
-pub use bodies::modal::state::{ModalExtremes, ModesState};
+pub use bodies::modal::spec::ModalSpec;
+pub use bodies::modes_state::{ModalExtremes, ModesState};
+pub use bodies::panel_state::{PanelState, Station, Watched, Worst};
 pub use bodies::prescribed::PrescribedBody;
 pub use bodies::rigid::RigidBody2d;
 pub use bodies::rigid_motion::RigidMotion;
@@ -86,4 +85,5 @@ pub use coupling::stability_estimate::{Beside, PanelExchange, exchange_ratio};
 pub use geometry::outline::Outline;
 pub use geometry::plate::Plate;
 pub use geometry::rows::WallRows;
+pub use geometry::section::section_of;
 pub use geometry::shape::Shape;

@@ -1,11 +1,11 @@
 //! Our curves against reference curves and exact numbers.
 
-use fsi_coupling::entry_theory::Section;
 use serde::Serialize;
+use settings::significant;
 
 use crate::observers::{Series, SimilarityResult};
 use crate::reference::{ReferenceError, Table, WedgeSimilarity};
-use crate::scene::{Compare, Norm, Scene, Shape, Similarity, significant};
+use crate::scene::{Compare, Norm, Scene, Shape, Similarity};
 
 /// One line of `summary.json`'s `comparison[]`.
 #[derive(Clone, Debug, Serialize)]
@@ -67,7 +67,9 @@ pub fn against_all(
 
 /// Why a wedge at a draught [m] has no similar flow: by Wagner's wetted breadth (THEORY EN3) its chines are wet.
 pub(crate) fn wet_chines(scene: &Scene, draught: f64) -> Option<String> {
-    let section = Section::of(&scene.body.as_ref()?.shape).ok().filter(|section| section.deadrise_deg().is_some())?;
+    let section = fsi_coupling::section_of(&scene.body.as_ref()?.shape)
+        .ok()
+        .filter(|section| section.deadrise_deg().is_some())?;
     let wet = section.wagner_draught(section.half_breadth());
     (draught > wet).then(|| {
         format!(

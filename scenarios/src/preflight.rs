@@ -20,10 +20,10 @@ use crate::scene::{
     known_compressibility_error, line, longest_spring_step, longest_step, memory_estimate, panel_exchanges,
     panel_length, particle_estimate,
 };
-use fsi_coupling::entry_theory::EntryModel;
 use fsi_coupling::geometry::layout::tile;
 use fsi_coupling::natural_frequencies;
-use fsi_coupling::settings::significant;
+use settings::significant;
+use water_entry::EntryModel;
 
 /// Cost of a particle and step on one core, search and walls included [s]; an order of magnitude.
 const COST: f64 = 0.7e-6;

@@ -11,8 +11,8 @@
 //! # Ok::<(), scenarios::reference::ReferenceError>(())
 //! ```
 
-use fsi_coupling::entry_theory::SimilarityFlow;
 use include_dir::{Dir, include_dir};
+use water_entry::SimilarityFlow;
 
 static TABLES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/cases/reference");
 

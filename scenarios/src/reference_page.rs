@@ -7,7 +7,6 @@ pub fn reference_page() -> String {
     let tables = [
         ("Scenes", "`splashdown run`, `check`", scene::schema()),
         ("Landings", "`splashdown ditch`", ditching::schema()),
-        ("Embedded elements", "`fsi_coupling::embed::FluidElementSpec`", fsi_coupling::embed::schema()),
     ];
     let head = "# Keys\n\nWritten by `splashdown keywords --markdown`. A value of `auto` means the same as an absent key. A key that has \
                 no effect beside the other keys is refused unless it has its default.\n";

@@ -2,7 +2,16 @@
 import pathlib
 import re
 
-CRATES = ["sph_core", "structure_fe", "fsi_coupling", "scenarios", "bindings/c", "bindings/python"]
+CRATES = [
+    "sph_core",
+    "structure_fe",
+    "fsi_coupling/water_entry",
+    "fsi_coupling",
+    "scenarios/settings",
+    "scenarios",
+    "bindings/c",
+    "bindings/python",
+]
 
 _TOKEN = re.compile(
     r"""(?P<comment>//[^\n]*|/\*.*?\*/)"""

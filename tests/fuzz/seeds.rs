@@ -3,8 +3,8 @@
 use std::fs;
 use std::path::Path;
 
-use fsi_coupling::settings::Schema;
 use scenarios::{ditching, scene};
+use settings::Schema;
 
 use crate::mutate::{Random, plausible, text, value};
 use crate::targets::{Input, Target};

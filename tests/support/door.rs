@@ -3,6 +3,7 @@
 use fsi_coupling::RigidMotion;
 use fsi_coupling::embed::{ElementScheme, FluidElement, FluidElementSpec, HostNodes, Topology};
 use fsi_coupling::{Coupled, Motion};
+use sph_core::projection;
 
 use crate::systems::system;
 
@@ -83,11 +84,9 @@ pub fn element() -> (FluidElement, HostNodes) {
 
 /// Every solver of an element.
 pub fn schemes() -> [ElementScheme; 3] {
-    let ElementScheme::Incompressible { flow, projection } = ElementScheme::incompressible() else {
-        panic!("a projection")
-    };
-    let explicit = ElementScheme::IncompressibleExplicit { flow, projection };
-    [ElementScheme::default(), ElementScheme::incompressible(), explicit]
+    let projection = projection::Settings::default();
+    let explicit = projection::Settings { method: projection::Method::OneIteration, ..projection };
+    [ElementScheme::default(), ElementScheme::Projection(projection), ElementScheme::Projection(explicit)]
 }
 
 /// A box, half under water, whose nodes swing, and bend where they turn; rows of nodes along its bottom.
@@ -118,7 +117,7 @@ pub fn swinging(rotations: bool, scheme: ElementScheme) -> (FluidElement, impl F
     // of one size, so that gravity alone acts from outside (THEORY WC28)
     let spec =
         FluidElementSpec { scheme, fastest_speed: Some(12.0), growth: 1.0, ..FluidElementSpec::new(0.03, 1.0, 0.6) };
-    let spec = if scheme.projection().is_some() { spec } else { spec.with_sound_speed(40.0) };
+    let spec = if matches!(scheme, ElementScheme::Projection(_)) { spec } else { spec.with_sound_speed(40.0) };
     (spec.size(&topology).expect("a sound element").build(&start).expect("water"), law)
 }
 

@@ -1,7 +1,7 @@
 //! Landings without air and friction, of plain hulls.
 
-use fsi_coupling::entry_theory::EntryModel;
-use fsi_coupling::entry_theory::ditching::{Aeroplane, Form, Fuselage, Hull, Landing, Station, Swell, Water, Wing};
+use water_entry::EntryModel;
+use water_entry::ditching::{Aeroplane, Form, Fuselage, Hull, Landing, Station, Swell, Water, Wing};
 
 /// Density of the water [kg/m³].
 pub const RHO: f64 = 1000.0;

@@ -2,11 +2,9 @@
 //! against the similar flow.
 
 use evidence::long::with_long;
-use fsi_coupling::entry_theory::{
-    AsymmetricFlow, Balance, EntryModel, FlowEnded, RolledFlow, RolledLoad, SimilarityFlow,
-};
 use scenarios::run::{RunOptions, run};
 use scenarios::scene::load_text;
+use water_entry::{AsymmetricFlow, Balance, EntryModel, FlowEnded, RolledFlow, RolledLoad, SimilarityFlow};
 
 /// Downward speed [m/s] and first draught [m].
 const SPEED: f64 = 2.0;

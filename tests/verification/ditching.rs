@@ -4,11 +4,11 @@ use std::sync::LazyLock;
 
 use evidence::landing::{RHO, landing, prism, tapered_hull};
 use evidence::long::long;
-use fsi_coupling::entry_theory::ditching::{Aeroplane, Attitude, LandingEnd, LandingState};
-use fsi_coupling::entry_theory::{EntryModel, Loads, Section};
 use rayon::prelude::*;
 use scenarios::ditching::{self, Accelerometer, Landed, Summary};
 use scenarios::run::summary::Status;
+use water_entry::ditching::{Aeroplane, Attitude, LandingEnd, LandingState};
+use water_entry::{EntryModel, Loads, Section};
 
 /// The pressure of entry on all strips at no acceleration: forward, up, nose up.
 fn pressing(now: &LandingState) -> [f64; 3] {

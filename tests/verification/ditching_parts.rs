@@ -1,11 +1,9 @@
 //! Parts of an aeroplane that meet the water, bounds of suction, and what the fuselage bears (THEORY EN25–EN29).
 
 use evidence::landing::{self as plain, CENTRE, RHO};
-use fsi_coupling::entry_theory::EntryModel;
-use fsi_coupling::entry_theory::ditching::{
-    Attitude, Bending, Hull, Landing, Masses, Nacelle, Panel, Rib, Surface, Swell,
-};
 use scenarios::ditching::{self, Landed};
+use water_entry::EntryModel;
+use water_entry::ditching::{Attitude, Bending, Hull, Landing, Masses, Nacelle, Panel, Rib, Surface, Swell};
 
 /// A prismatic hull of 20 m.
 fn prism() -> Hull {
@@ -177,7 +175,7 @@ fn a_stiff_fuselage_lands_as_a_rigid_one() {
     landing.strips = 100;
     let rigid = landing.solve();
     let masses = Masses::new([0.0, 20.0], 5e4, 10.0, 5e4 * 25.0, &[]).expect("masses");
-    let end = |run: &fsi_coupling::entry_theory::ditching::LandingResult| run.moments.last().expect("an end").attitude;
+    let end = |run: &water_entry::ditching::LandingResult| run.moments.last().expect("an end").attitude;
     landing.aeroplane.bending = Some(Bending::new(&masses, |_| 2e11, 0.02).expect("modes"));
     landing.step = 2e-4;
     landing.sample_every = 12;

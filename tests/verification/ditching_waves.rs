@@ -3,9 +3,9 @@
 use std::f64::consts::{PI, TAU};
 
 use evidence::landing::{RHO, landing, prism, tapered_hull};
-use fsi_coupling::entry_theory::EntryModel;
-use fsi_coupling::entry_theory::ditching::{Attitude, Landing, LandingState, Swell};
 use scenarios::ditching::{self, Landed};
+use water_entry::EntryModel;
+use water_entry::ditching::{Attitude, Landing, LandingState, Swell};
 
 const G: f64 = 9.81;
 

@@ -242,7 +242,11 @@ fn a_hosts_steady_wedge_is_a_prescribed_one_by_projection() {
     let sets = ["body.motion=constant_velocity", "solver=incompressible", "resolution.packing=false"];
     let system = wedge_of_the_scene(&sets);
     let fastest_speed = Some(system.fluid.domain().fastest_speed);
-    let spec = FluidElementSpec { scheme: ElementScheme::incompressible(), fastest_speed, ..spec() };
+    let spec = FluidElementSpec {
+        scheme: ElementScheme::Projection(sph_core::projection::Settings::default()),
+        fastest_speed,
+        ..spec()
+    };
     assert_eq!(spec.domain(), *system.fluid.domain(), "what a scene calls defaults are the element's");
     let [apart, force] = gaps_to_prescribed(system, spec, 10);
     assert!(apart < 1e-6 && force < 1e-3);
@@ -283,7 +287,7 @@ fn a_hosts_wedge_falls_like_the_scenes() {
     assert_eq!(domain, spec().domain(), "what a scene calls defaults are the element's");
     let settings = system.fluid.scheme::<Wcsph>().expect("the default scheme").settings;
     let cfl = spec().scheme.courant_number().into();
-    let own = *spec().scheme.weakly_compressible().expect("the default scheme");
+    let ElementScheme::WeaklyCompressible(own) = spec().scheme else { panic!("the default scheme") };
     assert_eq!(
         settings,
         // an element does not know the speed that bounds a scene's tension

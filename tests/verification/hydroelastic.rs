@@ -1,8 +1,8 @@
 //! The modal beam on Wagner's load (THEORY EN12, EN13) against tables of an independent program.
 
 use fsi_coupling::Plane;
-use fsi_coupling::entry_theory::{ElasticWedge, EntryModel, Held, Loads, Section, WedgeState};
 use structure_fe::Material;
+use water_entry::{ElasticWedge, EntryModel, Held, Loads, Section, WedgeState};
 
 use evidence::long::long;
 use evidence::systems::{advance, of_text};
@@ -15,7 +15,7 @@ fn aluminium(speed: f64, thickness: f64, held: Held) -> ElasticWedge {
         length: 0.6,
         thickness,
         material: Material { youngs_modulus: 67.5e9, poissons_ratio: 0.34, density: 2700.0 },
-        plane: Plane::Strain,
+        section: Plane::Strain.section(thickness),
         held: [held; 2],
         modes: 8,
         steps: 200,
@@ -179,7 +179,13 @@ fn guided_faces_bend_as_linear_clamped_plates() {
 #[test]
 fn mixed_ends_and_plane_stress_bend_in_between() {
     let middle = |held: [Held; 2], plane: Plane| {
-        let wedge = ElasticWedge { held, plane, modes: 3, steps: 1000, ..aluminium(3.0, 0.04, Held::Clamped) };
+        let wedge = ElasticWedge {
+            held,
+            section: plane.section(0.04),
+            modes: 3,
+            steps: 1000,
+            ..aluminium(3.0, 0.04, Held::Clamped)
+        };
         let bent = wedge.enter().expect("it enters");
         wedge.deflection(&bent[bent.len() - 1], 0.5)
     };

@@ -1,9 +1,9 @@
 //! The pressure at the keel of a steep wedge (THEORY GE21).
 
 use evidence::systems::scene;
-use fsi_coupling::entry_theory::SimilarityFlow;
 use scenarios::observers::{KeelLaw, SimilarityResult};
 use scenarios::run::{RunOptions, run};
+use water_entry::SimilarityFlow;
 
 /// Spacings of draught, and the kernel's support in them.
 const DRAUGHT: f64 = 64.0;

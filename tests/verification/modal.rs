@@ -1,8 +1,8 @@
 //! A body whose structure is given by its modes, against the panel that the modes are of.
 
 use evidence::systems::{advance, of_text, scene, system};
-use fsi_coupling::settings::significant;
 use fsi_coupling::{Body, Coupled, PanelModes};
+use settings::significant;
 use structure_fe::Damping;
 
 /// A wedge with a bottom plate, coarse, for the first part of its entry; so thick that it stays linear.

@@ -1,11 +1,9 @@
 //! Fully nonlinear potential flow by boundary elements (THEORY EN20–EN24, EN30) against the similarity solution and others' boundary elements.
 
-use fsi_coupling::entry_theory::{
-    EntryFlow, EntryModel, FlowEntry, FlowLoad, Loads, Section, SectionMotion, SimilarityFlow,
-};
 use scenarios::model_hierarchy::{QuantityOfInterest, Theory, measured};
 use scenarios::run::{RunOptions, run};
 use scenarios::scene::load_text;
+use water_entry::{EntryFlow, EntryModel, FlowEntry, FlowLoad, Loads, Section, SectionMotion, SimilarityFlow};
 
 use evidence::systems::scene;
 

@@ -1,8 +1,6 @@
 //! Potential flow about bent bottoms (THEORY EN39–EN41) against wedges, the exact solution, formulae and this project's particles.
 
-use fsi_coupling::entry_theory::{
-    EntryFlow, EntryModel, FlowEntry, Instant, Loads, Section, SectionMotion, SimilarityFlow,
-};
+use water_entry::{EntryFlow, EntryModel, FlowEntry, Instant, Loads, Section, SectionMotion, SimilarityFlow};
 
 const SPEED: f64 = 1.0;
 

@@ -2,12 +2,12 @@
 
 use evidence::load::Handled;
 use evidence::systems::{advance, of_text, system};
-use fsi_coupling::entry_theory::{EntryModel, Loads, Section};
 use fsi_coupling::{Inspect, Outline, RigidBody2d, RigidSpec, Shape, SprungSpec, WettedBody};
 use scenarios::build::build;
 use scenarios::preflight::preflight;
 use scenarios::scene::load;
 use sph_core::Walls;
+use water_entry::{EntryModel, Loads, Section};
 
 /// Force of a wedge of 30° at constant speed, over rho V^3 t (Zhao & Faltinsen 1993, table 1) [-].
 const SIMILARITY: f64 = 14.139;

@@ -1,6 +1,6 @@
 //! The low-order models of entry (THEORY EN2–EN10) against tables that independent programs computed.
 
-use fsi_coupling::entry_theory::{Entry, EntryModel, Loads, OutOfRange, Section, SectionMotion, SimilarityFlow};
+use water_entry::{Entry, EntryModel, Loads, OutOfRange, Section, SectionMotion, SimilarityFlow};
 
 /// Rows of a reference, with its columns by name.
 struct Reference {
@@ -255,7 +255,8 @@ fn what_a_model_cannot_do_is_refused_with_its_range_and_the_next_that_can() {
     let arc = Section::arc(1.0, 1.0).expect("a section");
     assert_eq!(of(EntryModel::Similarity, &arc).next, EntryModel::BoundaryElement);
     let lopsided = vec![[0.0, 0.0], [1.0, 0.3], [1.0, 1.0], [-1.0, 1.0], [-1.0, 0.5]];
-    let refused = Section::of(&fsi_coupling::Shape::Polygon { points: lopsided }).expect_err("not symmetric");
+    let refused =
+        fsi_coupling::section_of(&fsi_coupling::Shape::Polygon { points: lopsided }).expect_err("not symmetric");
     assert!(refused.to_string().contains("symmetric"), "{refused}");
 
     let loads = Loads::new(EntryModel::Mlm, &Section::wedge(30.0, 0.5).expect("a section")).expect("in range");

@@ -9,8 +9,8 @@ use sph_core::{InterfaceDynamics, PlateMidline, StateError, WallForces, WallPoin
 use structure_fe::Break;
 
 use crate::bodies::error::BodyError;
-use crate::bodies::flexible::panel_state::PanelState;
-use crate::bodies::modal::state::ModesState;
+use crate::bodies::modes_state::ModesState;
+use crate::bodies::panel_state::PanelState;
 use crate::bodies::sprung::SprungState;
 use crate::bodies::state::{ContactImpulse, Energy, Momentum, Motion, Solid, SurfacePoint};
 use crate::geometry::outline::Outline;

@@ -28,11 +28,13 @@
 //! A new body is a file here that implements [`WettedBody`](body::WettedBody), [`Contact`](body::Contact),
 //! [`Linked`](body::Linked) and [`Inspect`](body::Inspect), its line in this module and its name in `lib.rs`: three files.
 
-pub mod beam_surface;
+pub mod bending;
 pub mod body;
 pub mod error;
 pub mod flexible;
 pub mod modal;
+pub mod modes_state;
+pub mod panel_state;
 pub mod prescribed;
 pub mod rigid;
 pub mod rigid_interface;

@@ -14,7 +14,7 @@ use crate::geometry::layout::Layout;
 use crate::geometry::plate::Plate;
 use crate::geometry::plate_sampling;
 use crate::geometry::rows::WallRows;
-use crate::waves::piston_motion::PistonMotion;
+use water_entry::waves::piston_motion::PistonMotion;
 
 /// A rectangular open tank. Its particles never move, but for those of a piston.
 pub struct Tank {

@@ -9,7 +9,7 @@ use super::frame::{HostFrame, MovingFrame};
 use super::node_map::{Ends, NodeMap};
 use super::nodes::HostNodes;
 use super::topology::Topology;
-use crate::bodies::beam_surface::BeamAttachment;
+use crate::bodies::bending::beam_surface::BeamAttachment;
 use crate::bodies::body::{Contact, Inspect, Linked, WettedBody};
 use crate::bodies::error::BodyError;
 use crate::bodies::rigid_motion::RigidMotion;

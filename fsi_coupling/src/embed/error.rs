@@ -4,16 +4,22 @@ use sph_core::StateError;
 
 use crate::bodies::error::BodyError;
 use crate::coupling::error::CouplingError;
-use crate::settings::Problem;
 
 /// Bad input, or a step that failed. Nothing of the element has changed when a step's input is refused; after
 /// [`HostError::Step`] the element waits for `restore`.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum HostError {
-    /// A key of the specification.
-    #[error("{0}")]
-    Key(Problem),
+    /// A value of the specification.
+    #[error("`{key}` = {given}: expected {expected}")]
+    Value {
+        /// Which value.
+        key: &'static str,
+        /// What was given.
+        given: String,
+        /// What is possible.
+        expected: String,
+    },
     /// The wet surface.
     #[error("topology, {place}: given {given}, expected {expected}")]
     Topology {

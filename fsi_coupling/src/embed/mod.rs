@@ -4,7 +4,7 @@
 //!
 //! | phase | call | what happens |
 //! |---|---|---|
-//! | specify | [`FluidElementSpec`] | every number about the water, checked against its [`schema`] |
+//! | specify | [`FluidElementSpec`] | every number about the water |
 //! | size | [`FluidElementSpec::size`] | particles, bytes, step, warnings; allocates nothing that grows with the water |
 //! | build | [`SizedElement::build`] | the water at t = 0; the only phase that allocates |
 //! | contribute | [`FluidElement::contribute`] | the water follows the nodes through one step of the host, and pushes them |
@@ -45,7 +45,7 @@
 //! let mut sized = spec.size(&Topology::of(vec![])).unwrap();
 //! sized.contribute(HostStep { dt: 0.1, nodes: &nodes }, &mut []);
 //! ```
-//! Nor is it built twice, or sized anew once it is built:
+//! Nor is it built twice, or sized again once it is built:
 //! ```compile_fail,E0382
 //! # use fsi_coupling::embed::{FluidElementSpec, HostNodes, Topology};
 //! # let (spec, nodes) = (FluidElementSpec::new(0.05, 0.6, 0.4), HostNodes::at_rest(vec![]));
@@ -65,7 +65,6 @@
 mod added_mass;
 mod body;
 mod element;
-mod element_scheme;
 mod error;
 mod exchange;
 mod frame;
@@ -78,11 +77,10 @@ mod topology;
 
 pub use added_mass::AddedMass;
 pub use element::{Contribution, ElementLimits, FluidElement, HostStep, Snapshot, shortest_step};
-pub use element_scheme::{ElementScheme, Integrator};
 pub use error::HostError;
 pub use frame::HostFrame;
 pub use nodes::HostNodes;
 pub use sized::SizedElement;
-pub use spec::{FluidElementSpec, schema};
+pub use spec::{ElementScheme, FluidElementSpec};
 pub use surface::{HostLink, HostSurface, HostSurfaceSpec};
 pub use topology::{Side, Topology, WetSurface};

@@ -3,7 +3,7 @@
 
 use super::nodes::HostNodes;
 use super::topology::{Anchor, Topology, WetSurface};
-use crate::bodies::beam_surface::{BeamAttachment, BeamSurface, Place};
+use crate::bodies::bending::beam_surface::{BeamAttachment, BeamSurface, Place};
 use crate::geometry::vector::{cross, rotate};
 
 /// Most straight pieces that the outline of a bent side is drawn with.

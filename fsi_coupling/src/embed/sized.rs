@@ -7,7 +7,7 @@ use super::element::{ElementLimits, FluidElement, shortest_step};
 use super::error::HostError;
 use super::frame::HostFrame;
 use super::nodes::HostNodes;
-use super::spec::FluidElementSpec;
+use super::spec::{ElementScheme, FluidElementSpec};
 use super::surface::{HostSurface, HostSurfaceSpec};
 use super::topology::{Anchor, Topology, WetSurface};
 use crate::bodies::body::{Body, WettedBody};
@@ -19,7 +19,6 @@ use crate::geometry::outline::Outline;
 use crate::geometry::plate_sampling::boundary_particles;
 use crate::geometry::polygon::{bounding_box, thinnest_web};
 use crate::geometry::rows::WallRows;
-use crate::settings::Problem;
 
 /// Memory of an element that has taken its first step and saved: bytes for each particle of water, for each of the walls
 /// (measured by `tests/host_size.rs`).
@@ -100,7 +99,7 @@ impl FluidElementSpec {
             let least = (fine / MOST_PARTICLES).sqrt();
             let expected =
                 format!("at least {least:.2e} m: the fine zone of {fine:.3} m² would have more than 10⁹ particles");
-            return Err(HostError::Key(Problem::new("spacing", format!("{:?}", self.spacing), expected)));
+            return Err(HostError::Value { key: "spacing", given: format!("{:?}", self.spacing), expected });
         }
         let y = [self.still_water - self.depth, self.still_water];
         Ok(Layout::new(Basin { x, y, fine_x, fine_depth, spacing: self.spacing, growth: self.growth }))
@@ -230,7 +229,7 @@ impl SizedElement {
             sound_speed: self.spec.speed_of_sound(),
             most_substeps: self.spec.most_substeps,
             longest_fluid_step: f64::INFINITY,
-            shortest_step: shortest_step(self.spec.scheme.projection().is_some(), self.fluid_dt()),
+            shortest_step: shortest_step(matches!(self.spec.scheme, ElementScheme::Projection(_)), self.fluid_dt()),
             added_mass: self.added_mass,
         };
         Ok(FluidElement::of(system, link, limits))

@@ -24,6 +24,7 @@ pub mod polygon;
 pub mod polyline;
 pub mod rows;
 pub mod sampling;
+pub mod section;
 pub mod shape;
 pub mod underside;
 pub mod vector;

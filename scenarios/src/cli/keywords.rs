@@ -1,8 +1,8 @@
 //! `splashdown keywords` and `schema`: every key, material and water.
 
 use clap::Args;
-use fsi_coupling::settings::{Keyword, Schema};
 use serde_json::{Value, json};
+use settings::{Keyword, Schema};
 
 use super::shared::{DONE, Output, Stop, say};
 use crate::reference_page::reference_page;
@@ -73,7 +73,7 @@ fn tell_library(output: &Output, prefix: &str) -> usize {
             continue;
         }
         let number = |key: &str, scale: f64, unit: &str| {
-            entry[key].as_f64().map(|value| format!("{key} {} {unit}", scene::significant(value / scale)))
+            entry[key].as_f64().map(|value| format!("{key} {} {unit}", settings::significant(value / scale)))
         };
         let numbers = [
             number("youngs_modulus", 1e9, "GPa"),

@@ -1,5 +1,6 @@
 //! What `run` and `resume` share: requests to end, progress, results in words.
 
+use settings::significant;
 use std::io::IsTerminal;
 use std::net::SocketAddr;
 use std::path::Path;
@@ -12,7 +13,6 @@ use super::shared::{DONE, Output, Stop, complain, say};
 use crate::results::Quantity;
 use crate::run::summary::{Status, Summary};
 use crate::run::{Outcome, RunError, RunOptions};
-use crate::scene::significant;
 
 /// A second Ctrl-C or SIGTERM after this time ends the process at once. An earlier one is the same request, sent to the
 /// process and to its group.

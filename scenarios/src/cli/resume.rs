@@ -1,5 +1,6 @@
 //! `splashdown resume`.
 
+use settings::significant;
 use std::path::PathBuf;
 
 use clap::Args;
@@ -7,7 +8,6 @@ use clap::Args;
 use super::progress::{interval, listen, live_at, step_to_end};
 use super::shared::{LiveArgs, Output, Stop, seconds};
 use crate::run::{Checkpoints, Resumable, RunOptions};
-use crate::scene::significant;
 
 /// Ends over the one before from which one is most likely meant in milliseconds.
 const FAR: f64 = 100.0;

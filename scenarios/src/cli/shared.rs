@@ -7,10 +7,10 @@ use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Args;
-#[cfg(feature = "legacy")]
-use fsi_coupling::settings::Problem;
-use fsi_coupling::settings::convert;
 use serde::Serialize;
+#[cfg(feature = "legacy")]
+use settings::Problem;
+use settings::convert;
 
 use crate::preflight::available_memory;
 use crate::run::RunError;

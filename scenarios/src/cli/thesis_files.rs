@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use fsi_coupling::settings::Problem;
+use settings::Problem;
 
 use super::shared::{DONE, Output, SceneArgs, Stop, load, say, write};
 use crate::bounded_text::read_text;

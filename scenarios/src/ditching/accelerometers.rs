@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, SQRT_2};
 
-use fsi_coupling::entry_theory::ditching::{Bending, LandingState, MODES};
+use water_entry::ditching::{Bending, LandingState, MODES};
 
 use super::model::Scene;
 use super::parts::AccelerometerKeys;

@@ -1,14 +1,14 @@
 //! The aeroplane of a landing, of its keys.
 
+use settings::significant;
 use std::f64::consts::TAU;
 
-use fsi_coupling::entry_theory::EntryModel;
-use fsi_coupling::entry_theory::ditching::{Aeroplane, Bending, FuselageError, Masses, Nacelle, Panel, Rib, Surface};
-use fsi_coupling::settings::{Problem, require};
+use settings::{Problem, require};
+use water_entry::EntryModel;
+use water_entry::ditching::{Aeroplane, Bending, FuselageError, Masses, Nacelle, Panel, Rib, Surface};
 
 use super::model::Scene;
 use super::parts::{NacelleKeys, PanelKeys, SurfaceKeys};
-use crate::scene::significant;
 
 /// Largest sag of a slowest mode under the weight, g/ω², over the fuselage's length [-]: beyond, bending is not linear.
 const MOST_SAG: f64 = 0.1;

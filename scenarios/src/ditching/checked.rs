@@ -1,9 +1,7 @@
 //! What the file of a landing must keep to, and the landing that it gives.
 
-use fsi_coupling::entry_theory::ditching::{
-    Aeroplane, Form, Fuselage, FuselageError, Hull, Landing, OF_LANDINGS, Station,
-};
-use fsi_coupling::settings::{Problem, require};
+use settings::{Problem, require};
+use water_entry::ditching::{Aeroplane, Form, Fuselage, FuselageError, Hull, Landing, OF_LANDINGS, Station};
 
 use super::aeroplane::aeroplane;
 use super::model::{LandingKeys, Scene, StationKeys};

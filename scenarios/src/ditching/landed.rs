@@ -3,9 +3,9 @@
 use std::f64::consts::TAU;
 use std::time::Instant;
 
-use fsi_coupling::entry_theory::ditching::{Bending, LandingEnd, LandingResult, Swell};
-use fsi_coupling::settings::Problem;
 use serde::Serialize;
+use settings::Problem;
+use water_entry::ditching::{Bending, LandingEnd, LandingResult, Swell};
 
 use super::aeroplane::masses;
 use super::checked::{hull, landing};

@@ -1,13 +1,13 @@
 //! What the structure of a landing bears: stations of the fuselage, and parts that meet the water.
 
-use fsi_coupling::entry_theory::ditching::{Bending, Landing, LandingState, Masses};
 use serde::Serialize;
+use settings::significant;
+use water_entry::ditching::{Bending, Landing, LandingState, Masses};
 
 use super::model::Scene;
 use super::parts::AccelerometerKeys;
 use super::series::Series;
 use crate::run::summary::Peak;
-use crate::scene::significant;
 
 /// Largest accelerations at a place.
 #[derive(Clone, Debug, Serialize)]

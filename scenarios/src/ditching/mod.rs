@@ -30,9 +30,9 @@ use std::fs;
 use std::path::Path;
 use std::sync::LazyLock;
 
-use fsi_coupling::entry_theory::ditching::Wing;
-use fsi_coupling::settings::Problem;
 use include_dir::{Dir, include_dir};
+use settings::Problem;
+use water_entry::ditching::Wing;
 
 use crate::embedded::texts;
 use crate::run::{RunError, refuse_files, write};

@@ -2,11 +2,11 @@
 
 use std::sync::LazyLock;
 
-use fsi_coupling::entry_theory::EntryModel;
-use fsi_coupling::entry_theory::ditching::{Water, Wing};
-use fsi_coupling::settings::Schema;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use settings::Schema;
+use water_entry::EntryModel;
+use water_entry::ditching::{Water, Wing};
 
 use super::parts::{AccelerometerKeys, BeamKeys, MassKeys, NacelleKeys, PanelKeys, SurfaceKeys};
 use super::sea_keys::SeaKeys;
@@ -143,7 +143,7 @@ pub struct StationKeys {
 }
 
 mod usual {
-    use fsi_coupling::entry_theory::EntryModel;
+    use water_entry::EntryModel;
 
     pub fn model() -> EntryModel {
         EntryModel::Mlm

@@ -2,9 +2,9 @@
 
 use std::f64::consts::{PI, TAU};
 
-use fsi_coupling::entry_theory::ditching::{Fuselage, Landing, Swell, Touchdown};
-use fsi_coupling::settings::{Problem, require, significant};
 use serde::Serialize;
+use settings::{Problem, require, significant};
+use water_entry::ditching::{Fuselage, Landing, Swell, Touchdown};
 
 use super::model::Scene;
 

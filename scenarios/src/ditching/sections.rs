@@ -2,8 +2,8 @@
 
 use std::path::PathBuf;
 
-use fsi_coupling::entry_theory::ditching::{Form, Hull, ImpactingPart, SectionLoad};
 use serde::Serialize;
+use water_entry::ditching::{Form, Hull, ImpactingPart, SectionLoad};
 
 use super::checked::hull;
 use super::landed::Landed;

@@ -1,6 +1,6 @@
 //! The series of a landing: its columns, rows and file.
 
-use fsi_coupling::entry_theory::ditching::{Landing, LandingState, Swell};
+use water_entry::ditching::{Landing, LandingState, Swell};
 
 use super::accelerometers::signals;
 use super::model::Scene;

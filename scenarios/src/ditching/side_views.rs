@@ -1,6 +1,6 @@
 //! The fuselage on the water at a few moments of a landing.
 
-use fsi_coupling::entry_theory::ditching::{Fuselage, LandingState, Swell};
+use water_entry::ditching::{Fuselage, LandingState, Swell};
 
 use super::checked::hull;
 use super::landed::{Landed, seconds};

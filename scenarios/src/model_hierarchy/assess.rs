@@ -2,8 +2,8 @@
 
 use std::time::Instant;
 
-use fsi_coupling::entry_theory::{EntryModel, OutOfRange};
 use serde::Serialize;
+use water_entry::{EntryModel, OutOfRange};
 
 use super::{Measured, QuantityOfInterest, Theory, measured, rolled};
 use crate::scene::Scene;

@@ -1,11 +1,12 @@
 //! `model = "auto"`: the cheapest model whose measured error is within the tolerance.
 
-use fsi_coupling::entry_theory::EntryModel;
+use settings::significant;
+use water_entry::EntryModel;
 
 use super::{Assessment, Measured, QuantityOfInterest, assess};
 use crate::charted::charted_error;
 use crate::preflight::core_seconds;
-use crate::scene::{Scene, significant};
+use crate::scene::Scene;
 
 /// What was chosen.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,7 +1,7 @@
 //! A wedge with elastic faces, by Wagner's load on a modal beam (THEORY EN12, EN13).
 
-use fsi_coupling::entry_theory::{ElasticWedge, EntryModel, Held, Instant, OutOfRange, WedgeState};
 use fsi_coupling::{EndSpring, PanelEnd};
+use water_entry::{ElasticWedge, EntryModel, Held, Instant, OutOfRange, WedgeState};
 
 use crate::scene::{Body, Motion, Panel, Scene, Shape, Symmetry};
 
@@ -65,17 +65,17 @@ impl Faces {
             density: scene.water().density,
             length: half,
             thickness: panel.thickness,
-            plane: panel.plane,
+            section: panel.plane.section(panel.thickness),
             material: panel.material(),
             held,
             modes: MODES,
             steps: STEPS,
         };
         // high modes of stiff faces carry no deflection and need short steps
-        while wedge.modes > 1 && steps_for(&wedge) > MOST_STEPS {
+        while wedge.modes > 1 && steps_for(&wedge, panel) > MOST_STEPS {
             wedge.modes -= 1;
         }
-        wedge.steps = steps_for(&wedge);
+        wedge.steps = steps_for(&wedge, panel);
         if wedge.steps > MOST_STEPS {
             return Err(refuse("an entry so slow that its faces only follow the pressure"));
         }
@@ -139,7 +139,7 @@ fn held(end: PanelEnd) -> Option<Held> {
 }
 
 /// Steps from touch to chine that the stiffest mode allows, dry: ω = (kL)² √(D/m)/L².
-fn steps_for(wedge: &ElasticWedge) -> usize {
+fn steps_for(wedge: &ElasticWedge, panel: &Panel) -> usize {
     let ElasticWedge { thickness, material, length, .. } = wedge;
     let half = match wedge.held {
         [Held::Pinned, Held::Pinned] => 0.0,
@@ -147,7 +147,7 @@ fn steps_for(wedge: &ElasticWedge) -> usize {
         _ => 0.25,
     };
     let root = (wedge.modes as f64 + half) * std::f64::consts::PI;
-    let stiffness = wedge.plane.modulus(material) * thickness.powi(2) / 12.0;
+    let stiffness = panel.plane.modulus(material) * thickness.powi(2) / 12.0;
     let turn = root.powi(2) * (stiffness / material.density).sqrt() / length.powi(2);
     let lasts = std::f64::consts::FRAC_2_PI * wedge.deadrise_deg.to_radians().tan() * length / wedge.speed;
     ((turn * lasts / LONGEST_TURN).ceil() as usize).max(STEPS)
@@ -156,7 +156,7 @@ fn steps_for(wedge: &ElasticWedge) -> usize {
 /// Values of the panel's columns, in the order of [`Panel::columns`].
 fn columns(wedge: &ElasticWedge, panel: &Panel, bent: &WedgeState) -> Vec<f64> {
     let (sin, cos) = wedge.deadrise_deg.to_radians().sin_cos();
-    let modulus = wedge.plane.modulus(&wedge.material);
+    let modulus = panel.plane.modulus(&wedge.material);
     let watched = panel.watch.iter().flat_map(|&place| {
         let (w, strain) = (wedge.deflection(bent, place), wedge.strain(bent, place));
         let moment = -modulus * wedge.thickness.powi(2) / 6.0 * strain; // D d²w/dx²

@@ -1,11 +1,12 @@
 //! Error of a theory in the measured case that is nearest to a scene.
 
-use fsi_coupling::entry_theory::{BOUNDARY_ELEMENT_DEADRISES, EntryModel, Section, SimilarityFlow};
+use settings::significant;
+use water_entry::{BOUNDARY_ELEMENT_DEADRISES, EntryModel, Section, SimilarityFlow};
 
 use super::{QuantityOfInterest, Theory, rolled};
 use crate::compare;
 use crate::observers::Series;
-use crate::scene::{self, Body, Motion, Scene, significant};
+use crate::scene::{self, Body, Motion, Scene};
 
 /// An error that was measured.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
@@ -237,7 +238,7 @@ fn elastic_error() -> Option<Measured> {
 
 fn drop_deadrise() -> Option<f64> {
     let scene = scene::load(DROP, &[]).ok()?.scene;
-    Section::of(&scene.body?.shape).ok()?.deadrise_deg()
+    fsi_coupling::section_of(&scene.body?.shape).ok()?.deadrise_deg()
 }
 
 /// RMS error of a drop's speed over that at contact [-]: what the best theory was off in the validated drop, and what this one is

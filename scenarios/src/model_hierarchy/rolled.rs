@@ -1,6 +1,6 @@
 //! A rolled wedge by boundary elements (THEORY EN34).
 
-use fsi_coupling::entry_theory::{
+use water_entry::{
     AsymmetricFlow, EntryModel, Instant, OutOfRange, RolledEntry, RolledFlow, RolledInstant, SectionMotion,
 };
 

@@ -2,7 +2,7 @@
 
 use std::time::Instant as Clock;
 
-use fsi_coupling::entry_theory::Instant;
+use water_entry::Instant;
 
 use super::{Measured, QuantityOfInterest, Theory, measured};
 use crate::compare::{self, ReferenceCurve};

@@ -1,14 +1,15 @@
 //! A scene solved by an entry theory.
 
 use fsi_coupling::Motion as BodyMotion;
-use fsi_coupling::entry_theory::{
+use settings::significant;
+use water_entry::{
     Entry, EntryModel, FlowEntry, FlowHistory, Instant, Loads, OutOfRange, RolledInstant, Section, SectionMotion,
 };
 
 use super::elastic_wedge::Faces;
 use super::rolled;
 use crate::observers::body_values;
-use crate::scene::{Body, Gauge, GaugeFrame, Motion, Observe, Scene, Shape, significant};
+use crate::scene::{Body, Gauge, GaugeFrame, Motion, Observe, Scene, Shape};
 use fsi_coupling::geometry::polygon;
 
 /// Width of the window that means are taken over, the last fifth of the run.
@@ -364,5 +365,5 @@ fn upright_entry(scene: &Scene, model: EntryModel) -> Result<(&Body, Section, Se
         Motion::Free(_) if rolls => return Err(refuse("a rolled wedge that may turn or move sideways")),
         _ => return Err(refuse("a body that is held or swings")),
     };
-    Ok((body, Section::of(&body.shape)?, motion))
+    Ok((body, fsi_coupling::section_of(&body.shape)?, motion))
 }

@@ -1,11 +1,12 @@
 //! A drawing of a scene's body as it was understood: outline, panels, gauges, still water.
 
+use settings::significant;
 use std::fmt::Write;
 
 use fsi_coupling::geometry::polygon;
 
 use super::markup::escape;
-use crate::scene::{Body, GaugeFrame, Scene, significant};
+use crate::scene::{Body, GaugeFrame, Scene};
 
 /// Width of the picture, and margin round the body [px].
 const WIDTH: f64 = 900.0;

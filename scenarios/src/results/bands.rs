@@ -1,6 +1,7 @@
 //! Bands of forces and impulses by the draught in spacings (THEORY GE19).
 
-use crate::scene::{Bottom, Entry, LEAST_DRAUGHT, known_compressibility_error, significant};
+use crate::scene::{Bottom, Entry, LEAST_DRAUGHT, known_compressibility_error};
+use settings::significant;
 
 /// Band of a peak force times its draught in spacings, weakly compressible and incompressible, shares of the force [-].
 const FORCE_BAND: [f64; 2] = [0.7, 1.0];

@@ -1,6 +1,7 @@
 //! Gathers the curves of the results in every step.
 
 use fsi_coupling::{Body, Coupled, Motion, TouchRecord};
+use settings::significant;
 use sph_core::state_bytes::{StateError, decode, encode, expect_count};
 
 use super::filtered::FilteredAcceleration;
@@ -8,7 +9,7 @@ use super::judge::{Curves, Judge};
 use super::panel::StressPeak;
 use super::running_integral::RunningIntegral;
 use super::{Results, Verdict};
-use crate::scene::{self, Scene, significant};
+use crate::scene::{self, Scene};
 
 /// Gathers the curves of the results in every step.
 pub struct ResultsObserver {

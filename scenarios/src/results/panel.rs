@@ -1,10 +1,11 @@
 //! Judges the results of panels (THEORY GE19).
 
 use fsi_coupling::{ModesState, PanelState};
+use settings::significant;
 use structure_fe::Range;
 
 use super::{PanelResults, Quantity, Verdict, WIDE};
-use crate::scene::{MODES, significant};
+use crate::scene::MODES;
 
 /// Band of a stress over that of the force, as shares; fitted on elastic drops against half the spacing [-].
 const STRESS_BAND: f64 = 1.3;

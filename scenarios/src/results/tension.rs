@@ -1,7 +1,7 @@
 //! What tension of the water takes off a force (THEORY GE24).
 
 use super::{Finding, Verdict};
-use crate::scene::significant;
+use settings::significant;
 
 /// What tension takes off counts so often in the band [-].
 const TENSION_BAND: f64 = 2.5;

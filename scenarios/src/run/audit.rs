@@ -2,9 +2,9 @@
 
 use fsi_coupling::{Coupled, Energy};
 use serde::Serialize;
+use settings::significant;
 
 use crate::observers::WorstPenetration;
-use crate::scene::significant;
 
 /// Largest gap of the momentum that rounding can make [-].
 const MOMENTUM: f64 = 1e-9;

@@ -20,8 +20,8 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use fsi_coupling::CouplingError;
-use fsi_coupling::entry_theory::OutOfRange;
 use sph_core::Breakdown;
+use water_entry::OutOfRange;
 
 use crate::error_bar::ErrorBars;
 use crate::log::LogError;

@@ -2,10 +2,10 @@
 
 use fsi_coupling::{Coupled, PanelState, Station};
 use serde::Serialize;
+use settings::significant;
 use structure_fe::{Break, Range};
 
 use crate::results::Results;
-use crate::scene::significant;
 
 /// Extremes of a quantity over a panel and the run.
 #[derive(Clone, Copy, Debug, Serialize)]

@@ -1,9 +1,8 @@
 //! Distances between nearest neighbours, which show whether particles pair.
 
 use serde::Serialize;
+use settings::significant;
 use sph_core::{Kernel, Particles};
-
-use crate::scene::significant;
 
 /// How regularly the particles lie at the end of a run: particles that pair, or clump, are nearer than a spacing.
 #[derive(Clone, Copy, Debug, Serialize)]

@@ -1,5 +1,6 @@
 //! `summary.json`: the contract that other programs read.
 
+use settings::significant;
 use std::collections::BTreeMap;
 
 use serde::Serialize;
@@ -14,7 +15,7 @@ use crate::compare::Comparison;
 use crate::error_bar::ErrorBars;
 use crate::observers::{GaugeResult, Rest, RuleResult, SimilarityResult, Water, Waves};
 use crate::results::{FilteredAcceleration, Results, Verdict};
-use crate::scene::{CouplingScheme, FITTED_MACH, significant};
+use crate::scene::{CouplingScheme, FITTED_MACH};
 
 /// How a run ended.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]

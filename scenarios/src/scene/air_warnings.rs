@@ -2,10 +2,10 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use fsi_coupling::settings::significant;
+use settings::significant;
 
 use super::impact::{Entry, FLAT_CONTACT, LEAST_SOUND_RATIO};
-use super::settings::{Body, Motion, Scene};
+use super::keys::{Body, Motion, Scene};
 
 /// Spacings across half a flat breadth from which the pressure of trapped air is good (THEORY WC27).
 pub const LEAST_HALF_BREADTH: f64 = 10.0;

@@ -1,11 +1,11 @@
 //! The approach of a body to weakly compressible water: when its run starts, and where the body is then (THEORY WA12).
 
 use fsi_coupling::RigidMotion;
-use fsi_coupling::settings::{Problem, require, significant};
+use settings::{Problem, require, significant};
 use sph_core::Solver;
 
 use super::impact::Entry;
-use super::settings::{Body, Motion, Scene};
+use super::keys::{Body, Motion, Scene};
 
 /// Height of a body that flies in above its place at t = 0 [spacings]: water meets it so much early.
 pub const STANDOFF: f64 = 0.5;

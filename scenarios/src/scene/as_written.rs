@@ -1,7 +1,7 @@
 //! Problems in the keys that a scene's text has, where the program has replaced these by others.
 
-use fsi_coupling::settings::Problem;
 use serde_json::Value;
+use settings::Problem;
 
 use super::outline::OutlineReport;
 use super::source::{Segment, segments};

@@ -1,7 +1,7 @@
 //! The values that a scene leaves to the program.
 
 use super::impact::{Entry, LEAST_SOUND_RATIO, sound_speed_for};
-use super::settings::{Body, Scene, Tank, Water};
+use super::keys::{Body, Scene, Tank, Water};
 
 /// Reach of the water over c₀ t_end, the way of sound in the run [-]. An echo needs at least 0.5 to come back in time;
 /// the coarse rows far away return the wave a little earlier: 0.5 disturbs the force, 0.65 does not.

@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI, SQRT_2};
 use fsi_coupling::Shape;
 use fsi_coupling::geometry::{polygon, underside};
 
-use super::settings::{Body, Motion};
+use super::keys::{Body, Motion};
 
 /// Least deadrise that a flat or nearly flat face counts with [deg]: below it trapped air, absent here, takes over.
 pub const LEAST_DEADRISE_DEG: f64 = 4.0;

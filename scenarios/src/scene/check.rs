@@ -4,17 +4,17 @@ use std::fmt::Display;
 
 use super::auto::hydrostatic_sound;
 use super::incompressible::check_projection_step;
+use super::keys::{Block, Body, Gauge, GaugeFrame, Motion, Scene, Similarity, Symmetry};
 use super::legacy::{breakdown_cfl, hollow_walls};
 use super::references::check_reference;
 use super::resolve_links::{check_links, further};
-use super::settings::{Block, Body, Gauge, GaugeFrame, Motion, Scene, Similarity, Symmetry};
 use super::symmetric::{check_symmetric, on_axis};
 use super::waves::check_waves;
 use crate::observers::columns;
 use fsi_coupling::Shape;
 use fsi_coupling::geometry::plate::too_tight;
 use fsi_coupling::geometry::polygon;
-use fsi_coupling::settings::{Problem, require, significant};
+use settings::{Problem, require, significant};
 
 /// Spacings across the thinnest part of a body: three rows of wall particles behind each face.
 const THINNEST_BODY: f64 = 6.0;

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Component, Path, PathBuf};
 
-use fsi_coupling::settings::{DataLine, Problem, require};
+use settings::{DataLine, Problem, require};
 
 use crate::bounded_text::read_text;
 

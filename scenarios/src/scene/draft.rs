@@ -5,7 +5,7 @@ use serde::de::DeserializeOwned;
 use serde_json::{Map, Value};
 
 use super::source::{Segment, segments};
-use fsi_coupling::settings::{Problem, Schema};
+use settings::{Problem, Schema};
 
 /// A table of settings that has been checked against its schema and is not yet complete.
 #[derive(Clone)]

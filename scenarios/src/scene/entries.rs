@@ -4,7 +4,7 @@ use fsi_coupling::geometry::polygon;
 
 use super::auto::{auto_fine_zone, fastest_speed};
 use super::impact::Entry;
-use super::settings::{Body, Joint, Motion, Scene, Tank};
+use super::keys::{Body, Joint, Motion, Scene, Tank};
 
 /// The water that bodies meet, and how long.
 #[derive(Clone, Copy)]

@@ -3,9 +3,9 @@
 use std::io;
 use std::sync::Arc;
 
-use fsi_coupling::settings::Problem;
 use miette::{Diagnostic, NamedSource, SourceSpan};
 use serde_json::{Value, json};
+use settings::Problem;
 use thiserror::Error;
 
 /// Why a scene cannot be run: its first mistake, with the place, the key, what was given and what was expected.

@@ -1,7 +1,7 @@
 //! The size of the work, before any particle exists.
 
+use super::keys::{Scene, Symmetry};
 use super::legacy::wall_rows;
-use super::settings::{Scene, Symmetry};
 use fsi_coupling::geometry::polygon;
 
 /// Memory per particle of a run [bytes]: 242 for state, scratch and neighbour lists (`bench`), the rest while the water is

@@ -3,8 +3,8 @@
 use fsi_coupling::geometry::polygon;
 use fsi_coupling::{Beside, PanelExchange, Shape, exchange_ratio};
 
-use super::settings::{Body, CouplingScheme, Freedom, Motion, Panel, Scene, Symmetry, panel_length};
-use fsi_coupling::settings::significant;
+use super::keys::{Body, CouplingScheme, Freedom, Motion, Panel, Scene, Symmetry, panel_length};
+use settings::significant;
 
 /// Spectral radius of the weak exchange up to which it was smooth: 0.83 was, 1.0 shook (`tests/stability/coupling.rs`).
 const SMOOTH: f64 = 0.84;

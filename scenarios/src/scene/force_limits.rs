@@ -1,12 +1,12 @@
 //! Why no force on a body can be relied on, whatever the run gives: known before it.
 
-use fsi_coupling::settings::significant;
+use settings::significant;
 use sph_core::Solver;
 
 use super::impact::Entry;
+use super::keys::{Body, Motion, Scene};
 use super::legacy::{extrapolates, repulsive_walls};
 use super::narrow_gaps::gap_limit;
-use super::settings::{Body, Motion, Scene};
 
 /// Largest g D/V² of a body at a given speed in graded, incompressible water, of its draught D at the end [-].
 const LARGEST_GAIN: f64 = 0.3;

@@ -2,8 +2,8 @@
 
 use super::bottom::Bottom;
 use super::impact::Entry;
-use super::settings::{Gauge, GaugeFrame, Scene, Symmetry};
-use fsi_coupling::settings::significant;
+use super::keys::{Gauge, GaugeFrame, Scene, Symmetry};
+use settings::significant;
 
 /// A gauge so near to the floor, at the foot of a wall, reads too much where weakly compressible water arrives [spacings].
 const FOOT: f64 = 4.0;

@@ -2,11 +2,11 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use fsi_coupling::entry_theory::air_cushion::{self, AirCushion};
 use fsi_coupling::geometry::{polygon, underside};
+use water_entry::air_cushion::{self, AirCushion};
 
 use super::bottom::{Bottom, PEAK_MASS_RATIO, Reach};
-use super::settings::{Body, Motion};
+use super::keys::{Body, Motion};
 
 /// Why the peak force of a flat contact is refused (THEORY GE23).
 pub const FLAT_CONTACT: &str = "a face within 4 deg of the water meets it at once: the peak follows the speed of sound, or the \

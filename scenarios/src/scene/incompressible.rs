@@ -1,10 +1,10 @@
 //! Limits and warnings of scenes with an incompressible solver (THEORY PR2–PR14, LE18–LE28).
 
-use fsi_coupling::settings::{Problem, require, significant};
+use settings::{Problem, require, significant};
 use sph_core::Solver;
 
 use super::impact::Entry;
-use super::settings::{Body, CouplingScheme, Scene, SolverSettings};
+use super::keys::{Body, CouplingScheme, Scene, SolverSettings};
 use super::wet_period::unresolved_panels;
 
 /// Share of its smoothing length that a particle may move in a step, where the scene does not say.

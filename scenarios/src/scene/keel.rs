@@ -1,9 +1,9 @@
 //! What is doubtful beside the keel of a steep wedge.
 
-use super::settings::{Body, Gauge, GaugeFrame, Scene};
+use super::keys::{Body, Gauge, GaugeFrame, Scene};
 use crate::observers::KeelLaw;
 use fsi_coupling::Shape;
-use fsi_coupling::settings::significant;
+use settings::significant;
 
 /// Deadrise from which the force is more than 1 % high at 64 spacings of draught [deg].
 const STEEP_DEG: f64 = 65.0;

@@ -1,7 +1,7 @@
 //! What the schemes and options of 2010 ask of a scene (cargo feature `legacy`; `without_legacy.rs` stands in for it).
 
-use fsi_coupling::settings::{Problem, require, significant};
 use serde_json::Value;
+use settings::{Problem, require, significant};
 use sph_core::legacy::pilorget2010::Thesis;
 use sph_core::legacy::{EquationOfState, Settings};
 use sph_core::{

@@ -2,11 +2,11 @@
 
 use std::sync::LazyLock;
 
-use fsi_coupling::entry_theory::{EntryModel, OutOfRange};
-use fsi_coupling::settings::{Problem, require, significant};
 use include_dir::{Dir, include_dir};
 use serde_json::Value;
+use settings::{Problem, require, significant};
 use sph_core::{FluidSettings, Solver};
+use water_entry::{EntryModel, OutOfRange};
 
 use super::as_written::as_written;
 use super::check::{check, check_step};
@@ -16,6 +16,7 @@ use super::estimate::{BYTES_PER_PARTICLE, memory_estimate, particle_estimate};
 use super::gauge_warnings::gauge_warnings;
 use super::impact::Entry;
 use super::keel::keel_warnings;
+use super::keys::{Body, GRAVITY, QuantityOfInterest, Scene, Symmetry, schema};
 use super::legacy::refuse_absent;
 use super::mistaken_file::Expected;
 use super::narrow_gaps::gap_warnings;
@@ -25,7 +26,6 @@ use super::prepare::{Prepared, prepare};
 use super::references::{drop_references, sets_of_the_flow};
 use super::resolve::resolve;
 use super::resolve_body::resolve_body;
-use super::settings::{Body, GRAVITY, QuantityOfInterest, Scene, Symmetry, schema};
 use super::source::{Source, refuse_absurd_numbers};
 use super::spring_steps::check_spring_step;
 use super::warnings::warnings;

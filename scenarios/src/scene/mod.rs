@@ -2,7 +2,7 @@
 //!
 //! A scene is a TOML file. [`load`] reads one as written, with every key optional, and resolves it to a [`Scene`]: plain
 //! data with every number known. Whatever is wrong becomes a [`SceneError`] with file, line, key, what was given and
-//! what was expected; whatever is doubtful becomes a warning in plain words. [`settings`] declares every key, and [`schema`] lists them.
+//! what was expected; whatever is doubtful becomes a warning in plain words. [`keys`] declares every key, and [`schema`] lists them.
 //!
 //! ```
 //! use scenarios::scene::load;
@@ -30,6 +30,7 @@ mod gauge_warnings;
 mod impact;
 mod incompressible;
 mod keel;
+pub mod keys;
 #[cfg_attr(not(feature = "legacy"), path = "without_legacy.rs")]
 mod legacy;
 mod library;
@@ -46,7 +47,6 @@ mod resolve;
 mod resolve_body;
 mod resolve_links;
 mod resolve_modes;
-pub mod settings;
 pub(crate) mod source;
 mod spring_steps;
 mod stations;
@@ -67,8 +67,6 @@ pub use error::SceneError;
 pub use estimate::{BYTES_PER_PARTICLE, memory_estimate, particle_estimate};
 pub use exchange::{ExchangeRatio, panel_exchanges};
 pub(crate) use force_limits::{limit_of_forces, presses_on_walls};
-pub use fsi_coupling::entry_theory::EntryModel;
-pub(crate) use fsi_coupling::settings::significant;
 pub use fsi_coupling::{PanelEnd, Shape};
 pub(crate) use impact::FITTED_MACH;
 pub use impact::{
@@ -76,23 +74,24 @@ pub use impact::{
     jet_reach, known_compressibility_error, sound_speed_for,
 };
 pub(crate) use incompressible::share_of_walls;
+pub use keys::{
+    Axis, Beach, Block, Body, Compare, Coupling, CouplingScheme, Freedom, Gauge, GaugeFrame, Modes, Motion, Moved,
+    NaturalMode, Norm, Observe, Oscillation, Panel, QuantityOfInterest, Report, Resolution, Scene, Similarity,
+    SolverSettings, SprungMass, Symmetry, Tank, TheoryName, Time, WaveMaker, panel_length, panel_line, schema,
+};
+pub(crate) use keys::{MILLIMETRE, MODES, line};
 pub use legacy::Integrator;
 pub(crate) use legacy::thesis_work;
 pub use library::{MATERIALS, MaterialName, MaterialProperties, WATER_TABLE, WaterName, WaterProperties};
 pub use load::{Loaded, all_warnings, builtin, load, load_beyond_limits, load_text};
 pub use outline::OutlineReport;
 pub(crate) use resolve::MOST_ROWS;
-pub use settings::{
-    Axis, Beach, Block, Body, Compare, Coupling, CouplingScheme, Freedom, Gauge, GaugeFrame, Modes, Motion, Moved,
-    NaturalMode, Norm, Observe, Oscillation, Panel, QuantityOfInterest, Report, Resolution, Scene, Similarity,
-    SolverSettings, SprungMass, Symmetry, Tank, TheoryName, Time, WaveMaker, panel_length, panel_line, schema,
-};
-pub(crate) use settings::{MILLIMETRE, MODES, line};
 pub use source::apply_set;
 pub use sph_core::{Kernel, Slip as WallSlip};
 pub(crate) use spring_steps::{longest_spring_step, spec as sprung_spec};
 pub(crate) use unusual::Unusual;
 pub use warnings::warnings;
+pub use water_entry::EntryModel;
 pub(crate) use waves::{early_end as waves_end_early, full_waves_by};
 pub use wet_period::longest_step;
 pub(crate) use wet_period::resonant_panels;

@@ -1,12 +1,12 @@
 //! `body.modes_file`: the structure of a body from a file of natural modes.
 
-use fsi_coupling::settings::{Problem, require};
 use serde::Deserialize;
 use serde_json::{Value, json};
+use settings::{Problem, require};
 use toml::Spanned;
 
 use super::data_file::{DataFile, Fault};
-use super::settings::{Modes, NaturalMode};
+use super::keys::{Modes, NaturalMode};
 
 const KEY: &str = "body.modes_file";
 const KIND: &str = "a file of natural modes (.toml)";

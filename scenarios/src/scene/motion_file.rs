@@ -1,10 +1,10 @@
 //! `body.motion_file`: the motion of a body from a table over time.
 
-use fsi_coupling::settings::{Problem, require, significant};
 use serde_json::{Value, json};
+use settings::{Problem, require, significant};
 
 use super::data_file::{DataFile, Fault, shortened};
-use super::settings::parabola_rate;
+use super::keys::parabola_rate;
 use super::table_file::NumberTable;
 
 const KEY: &str = "body.motion_file";

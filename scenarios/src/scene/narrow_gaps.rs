@@ -5,9 +5,9 @@
 
 use fsi_coupling::Shape;
 use fsi_coupling::geometry::polygon;
-use fsi_coupling::settings::significant;
+use settings::significant;
 
-use super::settings::{Body, Motion, Scene, Symmetry};
+use super::keys::{Body, Motion, Scene, Symmetry};
 
 /// Spacings across a gap from which its water is resolved [-].
 const LEAST: f64 = 2.0;

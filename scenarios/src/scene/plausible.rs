@@ -2,10 +2,10 @@
 
 use fsi_coupling::Shape;
 use fsi_coupling::geometry::polygon;
-use fsi_coupling::settings::significant;
+use settings::significant;
 
+use super::keys::{Body, Freedom, Motion, Scene, Symmetry, panel_length};
 use super::outline::OutlineReport;
-use super::settings::{Body, Freedom, Motion, Scene, Symmetry, panel_length};
 use super::symmetric::is_half;
 
 /// Mean densities of bodies [kg/m³].

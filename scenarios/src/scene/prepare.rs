@@ -1,7 +1,7 @@
 //! From what a scene's text says to plain keys: files that it names are read, names of materials become numbers.
 
-use fsi_coupling::settings::Problem;
 use serde_json::Value;
+use settings::Problem;
 
 use super::outline::OutlineReport;
 use super::references::settle_references;

@@ -1,10 +1,10 @@
 //! The references of a scene: where they may lie, whether they hold points to compare, and which of them a changed key leaves.
 
-use fsi_coupling::settings::{Problem, require};
 use serde_json::Value;
+use settings::{Problem, require};
 
 use super::data_file::beside;
-use super::settings::{Compare, Scene};
+use super::keys::{Compare, Scene};
 use super::source::assignment;
 use crate::reference::{ReferenceError, Table};
 

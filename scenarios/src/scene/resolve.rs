@@ -3,10 +3,10 @@
 use std::f64::consts::FRAC_PI_2;
 
 use fsi_coupling::Shape;
-use fsi_coupling::entry_theory::EntryModel;
 use fsi_coupling::geometry::polygon;
-use fsi_coupling::settings::{Problem, require};
+use settings::{Problem, require};
 use sph_core::{Dissipation, FluidSettings, Kernel, Solver};
+use water_entry::EntryModel;
 
 use super::approach::{check_start, earliest_start};
 use super::auto::{auto_reach, auto_sound_speed, hydrostatic_sound};
@@ -14,13 +14,13 @@ use super::bottom::Bottom;
 use super::draft::Draft;
 use super::entries::{Meeting, fastest_of_all, middle_of_all, zone_of_all};
 use super::impact::Entry;
-use super::legacy;
-use super::resolve_body::resolve_body;
-use super::resolve_links::resolve_further_bodies;
-use super::settings::{
+use super::keys::{
     Beach, Body, Compare, Coupling, CouplingScheme, GRAVITY, Gauge, Joint, Lattice, Motion, Resolution, Scene,
     SolverSettings, Tank, Time, Water, WaveMaker, WeaklyCompressibleFluid,
 };
+use super::legacy;
+use super::resolve_body::resolve_body;
+use super::resolve_links::resolve_further_bodies;
 use super::source::word;
 use super::under_water;
 

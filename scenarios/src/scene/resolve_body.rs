@@ -1,12 +1,12 @@
 //! The body of a scene and its panels: defaults that depend on shape and motion, and what they exclude.
 
 use fsi_coupling::geometry::polygon;
-use fsi_coupling::settings::{Problem, require, significant};
 use fsi_coupling::{PanelEnd, Plane, Shape};
+use settings::{Problem, require, significant};
 
 use super::draft::Draft;
+use super::keys::{Axis, Body, Motion, Panel, SprungMass, Symmetry, TheoryName, line, placed};
 use super::resolve_modes::check_modes;
-use super::settings::{Axis, Body, Motion, Panel, SprungMass, Symmetry, TheoryName, line, placed};
 use super::source::word;
 
 /// Side height over breadth, where the scene does not say.

@@ -2,12 +2,12 @@
 
 use fsi_coupling::Outline;
 use fsi_coupling::geometry::{polygon, vector::sub};
-use fsi_coupling::settings::{Problem, require};
 use serde_json::Value;
+use settings::{Problem, require};
 
 use super::draft::Draft;
+use super::keys::{Body, Joint, JointName, Scene, Symmetry, TANK};
 use super::resolve_body::resolve_body;
-use super::settings::{Body, Joint, JointName, Scene, Symmetry, TANK};
 use super::source::word;
 
 /// Tables of a body that only the first one may have.

@@ -1,9 +1,9 @@
 //! What `body.modal` must be.
 
 use fsi_coupling::Shape;
-use fsi_coupling::settings::{Problem, require, significant};
+use settings::{Problem, require, significant};
 
-use super::settings::{Modes, Symmetry, line};
+use super::keys::{Modes, Symmetry, line};
 
 /// Nodes and modes, at most.
 const MOST: [usize; 2] = [2000, 100];

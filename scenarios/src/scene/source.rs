@@ -4,8 +4,8 @@ use std::io::ErrorKind;
 use std::ops::Range;
 use std::sync::Arc;
 
-use fsi_coupling::settings::{Keyword, Problem, Schema, is_quantity, require};
 use miette::NamedSource;
+use settings::{Keyword, Problem, Schema, is_quantity, require};
 use toml::de::{DeTable, DeValue};
 use toml::{Table, Value};
 

@@ -1,9 +1,9 @@
 //! The step that springs of a scene allow: masses on springs (THEORY CO35) and joints (CO38).
 
-use fsi_coupling::settings::{Problem, require, significant};
 use fsi_coupling::{RigidMotion, Solid, SprungSpec};
+use settings::{Problem, require, significant};
 
-use super::settings::{Body, Motion, Scene, SprungMass};
+use super::keys::{Body, Motion, Scene, SprungMass};
 
 /// CO35, CO38: the longest steps that the springs of a scene allow [s], by name.
 fn allowed(scene: &Scene) -> Vec<(&str, f64)> {

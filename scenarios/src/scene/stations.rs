@@ -1,7 +1,7 @@
 //! Panels between numbered points of an outline: `from_point` and `to_point`.
 
-use fsi_coupling::settings::{Problem, require};
 use serde_json::{Map, Value, json};
+use settings::{Problem, require};
 
 use super::outline::Stations;
 

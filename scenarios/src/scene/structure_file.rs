@@ -1,14 +1,14 @@
 //! `body.panels[].structure_file`: the structure of a panel from a Nastran bulk data file.
 
 use fsi_coupling::geometry::polyline::Polyline;
-use fsi_coupling::settings::{DataLine, Problem, require, significant};
 use serde::de::DeserializeOwned;
 use serde_json::{Map, Value, json};
+use settings::{DataLine, Problem, require, significant};
 
 use super::data_file::{DataFile, Fault};
 use super::draft::Draft;
+use super::keys::{StructurePlane, StructureUnits, line, schema};
 use super::resolve_body::resolve_shape;
-use super::settings::{StructurePlane, StructureUnits, line, schema};
 use crate::nastran::chain::{Chain, ChainBar, ChainNode, Reading};
 use crate::nastran::model::BeamModel;
 use crate::nastran::{Axes, CardError, Held};

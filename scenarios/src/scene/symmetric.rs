@@ -1,9 +1,9 @@
 //! A body in a scene with `symmetry = "x"` is its own image; what is wrong with one that is not.
 
 use fsi_coupling::geometry::polygon;
-use fsi_coupling::settings::{Problem, require, significant};
+use settings::{Problem, require, significant};
 
-use super::settings::Body;
+use super::keys::Body;
 
 /// A coordinate over the size of an outline that counts as 0 [-].
 const ON_AXIS: f64 = 1e-6;

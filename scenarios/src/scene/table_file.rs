@@ -1,6 +1,6 @@
 //! Tables of numbers as people write them: commas, semicolons or spaces, with or without a header.
 
-use fsi_coupling::settings::convert;
+use settings::convert;
 
 use super::data_file::{Fault, shortened};
 

@@ -1,6 +1,6 @@
 //! What the program chooses around rigid, closed bodies that start under water.
 
-use fsi_coupling::settings::{Problem, require};
+use settings::{Problem, require};
 use sph_core::{Auto, Dissipation};
 
 use super::draft::Draft;

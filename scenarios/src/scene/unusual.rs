@@ -7,8 +7,8 @@ use serde_json::{Map, Value};
 use sph_core::Solver;
 
 use super::draft::Draft;
+use super::keys::{Scene, schema};
 use super::resolve::resolve;
-use super::settings::{Scene, schema};
 
 /// Tables of keys of the method, and the keys in them that say what flows, how finely, and how compressible it is: charts and bands have these
 /// as parameters.

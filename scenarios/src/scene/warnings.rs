@@ -8,14 +8,14 @@ use super::exchange::{light_bodies, light_panels};
 use super::force_limits::limit_of_forces;
 use super::impact::LEAST_SOUND_RATIO;
 use super::incompressible::projection_warnings;
+use super::keys::{Body, Gauge, Panel, Scene, WeaklyCompressibleFluid, panel_length};
 use super::legacy;
 use super::resolve_links::thin_film;
-use super::settings::{Body, Gauge, Panel, Scene, WeaklyCompressibleFluid, panel_length};
 use super::waves::wave_warnings;
 use fsi_coupling::PanelEnd;
-use fsi_coupling::entry_theory::EntryModel;
-use fsi_coupling::settings::significant;
+use settings::significant;
 use sph_core::{Dissipation, Kernel, Solver};
+use water_entry::EntryModel;
 
 const LARGEST_CFL: f64 = 0.8;
 

@@ -1,13 +1,13 @@
 //! Do a wave maker and a beach fit their tank? Refusals and warnings.
 
 use fsi_coupling::geometry::polygon;
-use fsi_coupling::settings::{Problem, require, significant};
-use fsi_coupling::waves::linear_wave::LinearWave;
+use settings::{Problem, require, significant};
+use water_entry::waves::linear_wave::LinearWave;
 
 use sph_core::Solver;
 
+use super::keys::{Beach, Body, GaugeFrame, Scene, SolverSettings, Symmetry, WaveMaker};
 use super::resolve_links::further;
-use super::settings::{Beach, Body, GaugeFrame, Scene, SolverSettings, Symmetry, WaveMaker};
 
 /// Longest stroke over the width of the tank [-].
 const LONGEST_STROKE: f64 = 0.25;

@@ -3,11 +3,11 @@
 use std::f64::consts::PI;
 
 use fsi_coupling::first_wet_period;
-use fsi_coupling::settings::significant;
+use settings::significant;
 use sph_core::Solver;
 
 use super::exchange::wet_faces;
-use super::settings::{MODES, Modes, Panel, Scene, line};
+use super::keys::{MODES, Modes, Panel, Scene, line};
 
 /// Steps in the first wet period with which the step costs the frequency at most 0.25 % (CO33).
 const STEPS_PER_PERIOD: f64 = 30.0;

@@ -1,9 +1,9 @@
 //! Stands in for `legacy.rs` where the program is built without the cargo feature `legacy`: its keys and solver are refused.
 
-use fsi_coupling::settings::Problem;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
+use settings::Problem;
 use sph_core::{Fluid, FluidSettings, SchemeSettings, wcsph};
 
 use super::draft::Draft;

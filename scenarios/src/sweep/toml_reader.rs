@@ -3,8 +3,8 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use fsi_coupling::settings::Problem;
 use miette::NamedSource;
+use settings::Problem;
 use toml::de::{DeTable, DeValue};
 use toml::{Spanned, Value};
 

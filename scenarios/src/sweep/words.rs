@@ -1,6 +1,7 @@
 //! Quantities and axes of a sweep in the words and units of the page.
 
 use serde_json::Value;
+use settings::significant;
 
 use super::collect::{BEYOND, Collected, Number, PointResult};
 use super::file::SCENE_AXIS;
@@ -10,7 +11,6 @@ use crate::report::run_page::quantity::{Unit, column, digits, result};
 use crate::report::run_page::{in_words as verdict_in_words, two_digits};
 use crate::report::{COARSE, Tone};
 use crate::results::is_withheld;
-use crate::scene::significant;
 
 /// A quantity in words, in a unit that suits its largest value.
 #[derive(Clone, Debug, PartialEq)]

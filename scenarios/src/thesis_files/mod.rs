@@ -16,7 +16,7 @@ pub use ipart::{Ipart, Particle};
 pub use scene_of::{Imported, scene_of};
 pub use write_scene::files_of;
 
-use fsi_coupling::settings::DataLine;
+use settings::DataLine;
 
 /// A line of INDAT or IPART that cannot be used.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

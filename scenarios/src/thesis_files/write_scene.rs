@@ -7,7 +7,7 @@ use sph_core::{DensityFilter, Integrator, Kernel, Turbulence, WallModel};
 use super::{Indat, Ipart, Particle};
 use crate::build::build;
 use crate::scene::Scene;
-use crate::scene::settings::{Lattice, Symmetry, WeaklyCompressibleFluid};
+use crate::scene::keys::{Lattice, Symmetry, WeaklyCompressibleFluid};
 
 /// Both files of a scene at its start, and what of the scene they cannot say.
 ///

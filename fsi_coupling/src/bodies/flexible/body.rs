@@ -8,12 +8,14 @@ use sph_core::state_bytes::{StateError, decode, encode};
 use sph_core::walls::Resultant;
 use sph_core::{InterfaceDynamics, PlateMidline, WallForces, WallPoint, WallsMut};
 
+use crate::bodies::bending::frame::{Frame, power};
 use crate::bodies::body::{Contact, Inspect, Linked, WettedBody};
 use crate::bodies::error::BodyError;
 use crate::bodies::flexible::interface::FlexibleInterface;
-use crate::bodies::flexible::model::{FlexibleSpec, Frame, Model};
-use crate::bodies::flexible::panel_state::{PanelState, state_of};
-use crate::bodies::flexible::state::{FlexibleState, power};
+use crate::bodies::flexible::model::{FlexibleSpec, Model};
+use crate::bodies::flexible::panel_state::state_of;
+use crate::bodies::flexible::state::FlexibleState;
+use crate::bodies::panel_state::PanelState;
 use crate::bodies::prescribed::Law;
 use crate::bodies::rigid_motion::RigidMotion;
 use crate::bodies::state::{ContactImpulse, Energy, Momentum, Motion, SurfacePoint};

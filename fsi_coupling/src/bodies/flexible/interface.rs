@@ -5,8 +5,8 @@ use structure_fe::{Dynamics, EffectiveInertia, State};
 use sph_core::walls::interface::{InterfaceDynamics, InterfaceLoad, InterfaceResidual, ParticleLoad};
 use sph_core::{WallForces, WallsMut};
 
+use crate::bodies::bending::surface_map::{Attachment, Influence, SurfaceMap};
 use crate::bodies::error::BodyError;
-use crate::bodies::flexible::surface_map::{Attachment, Influence, SurfaceMap};
 
 /// Values of all nodes, `[nodes][x, y, turn]`.
 type Field = Vec<[f64; 3]>;
@@ -173,7 +173,7 @@ impl InterfaceDynamics for FlexibleInterface {
 mod tests {
     use structure_fe::{Beam, Damping, Integration, Material, Section, Supports};
 
-    use crate::bodies::beam_surface::BeamSurface;
+    use crate::bodies::bending::beam_surface::BeamSurface;
 
     use super::*;
 

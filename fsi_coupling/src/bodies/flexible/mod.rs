@@ -1,14 +1,10 @@
 //! A body whose surface bends: panels of beam elements on a rigid frame (THEORY CO13–CO17).
 
-pub(crate) mod bending_surface;
 pub mod body;
-mod deformed_outline;
 pub mod interface;
 pub mod model;
 pub mod panel;
 pub mod panel_modes;
 pub mod panel_state;
 pub(crate) mod state;
-pub mod surface_layout;
-pub mod surface_map;
 pub mod wet_period;

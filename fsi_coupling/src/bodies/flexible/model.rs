@@ -2,13 +2,13 @@
 
 use structure_fe::{Beam, Damping, Dof, Dynamics, Integration, State, SupportMotion, Supports};
 
-use crate::bodies::beam_surface::BeamSurface;
+use crate::bodies::bending::beam_surface::BeamSurface;
+use crate::bodies::bending::bending_surface::BendingSurface;
+use crate::bodies::bending::frame::Frame;
+use crate::bodies::bending::surface_layout::{Span, SurfaceLayout};
+use crate::bodies::bending::surface_map::SurfaceMap;
 use crate::bodies::error::BodyError;
-use crate::bodies::flexible::bending_surface::BendingSurface;
 use crate::bodies::flexible::panel::{Panel, PanelSpec};
-use crate::bodies::flexible::surface_layout::{Span, SurfaceLayout};
-use crate::bodies::flexible::surface_map::SurfaceMap;
-use crate::bodies::prescribed::Law;
 use crate::bodies::rigid_motion::RigidMotion;
 use crate::geometry::outline::Outline;
 use crate::geometry::polyline::Polyline;
@@ -34,23 +34,6 @@ pub struct FlexibleSpec {
     pub damping: Damping,
     /// Simulate the half x > 0 of a symmetric body; panels are then on that half, masses of the whole.
     pub half: bool,
-}
-
-/// The rigid part of a flexible body.
-pub enum Frame {
-    /// Prescribed motion.
-    Given(Law),
-    /// Moves under its loads.
-    Free {
-        /// Mass [kg/m].
-        mass: f64,
-        /// Moment of inertia about the centre of mass [kg m²/m].
-        inertia: f64,
-        /// Centre of mass [m].
-        center_of_mass: [f64; 2],
-        /// Which of x, y, angle are free; the others are held by a guide.
-        free: [bool; 3],
-    },
 }
 
 /// Spectral radius of the time integration at high frequency [-] (THEORY BE20). Steps are the fluid's, much shorter than the panels'

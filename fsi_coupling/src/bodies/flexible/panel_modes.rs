@@ -5,9 +5,9 @@ use std::f64::consts::TAU;
 use structure_fe::modal::ModalMode;
 use structure_fe::{Damping, Dynamics, Integration, Mode, natural_modes};
 
+use crate::bodies::bending::surface_mode::SurfaceMode;
 use crate::bodies::flexible::panel::PanelSpec;
 use crate::bodies::flexible::wet_period::held;
-use crate::bodies::modal::spec::SurfaceMode;
 use crate::geometry::polyline::Polyline;
 
 /// Displacement at which stresses of a shape are taken, over the length of the panel [-]: the element is linear there to about as much.

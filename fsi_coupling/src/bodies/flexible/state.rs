@@ -73,8 +73,3 @@ impl FlexibleState {
         }
     }
 }
-
-/// Σ a·b over the nodes: of loads with displacements, work [J/m].
-pub(crate) fn power(a: &[[f64; 3]], b: &[[f64; 3]]) -> f64 {
-    a.as_flattened().iter().zip(b.as_flattened()).map(|(a, b)| a * b).sum()
-}

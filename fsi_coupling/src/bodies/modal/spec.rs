@@ -2,14 +2,15 @@
 
 use std::sync::Arc;
 
-use structure_fe::modal::{Frame as ModalFrame, ModalMode, ModalStructure};
+use structure_fe::modal::{Frame as ModalFrame, ModalStructure};
 
-use crate::bodies::beam_surface::BeamSurface;
+use crate::bodies::bending::beam_surface::BeamSurface;
+use crate::bodies::bending::bending_surface::BendingSurface;
+use crate::bodies::bending::frame::Frame;
+use crate::bodies::bending::surface_layout::{Span, SurfaceLayout};
+use crate::bodies::bending::surface_map::SurfaceMap;
+use crate::bodies::bending::surface_mode::SurfaceMode;
 use crate::bodies::error::BodyError;
-use crate::bodies::flexible::bending_surface::BendingSurface;
-use crate::bodies::flexible::model::Frame;
-use crate::bodies::flexible::surface_layout::{Span, SurfaceLayout};
-use crate::bodies::flexible::surface_map::SurfaceMap;
 use crate::bodies::rigid_motion::RigidMotion;
 use crate::geometry::outline::Outline;
 use crate::geometry::polyline::Polyline;
@@ -37,15 +38,6 @@ pub struct ModalSpec {
     /// Simulate the half x > 0 of a symmetric body; nodes, their masses and the generalised masses are then of that half, the
     /// frame's mass of the whole.
     pub half: bool,
-}
-
-/// A mode, and the stress that it causes.
-#[derive(Clone, Debug, PartialEq)]
-pub struct SurfaceMode {
-    /// Frequency, generalised mass, damping, shape.
-    pub mode: ModalMode,
-    /// Stress at the nodes at unit amplitude [Pa/m]; empty where it is not known.
-    pub stress: Vec<f64>,
 }
 
 /// The equations of a body with modes, and its surface.

@@ -1,9 +1,9 @@
 //! What `splashdown sweep` prints at the end.
 
 use serde_json::json;
+use settings::significant;
 
 use crate::cli::shared::{Output, say, to_json};
-use crate::scene::significant;
 use crate::sweep::{Collected, SweepFolder, WorstCase, worst_cases};
 
 /// How the points of this call were run.

@@ -1,6 +1,6 @@
 //! The curves of the page: columns of the series by what they are, with references, theories and peaks.
 
-use fsi_coupling::entry_theory::EntryModel;
+use water_entry::EntryModel;
 
 use super::folder::RunFolder;
 use super::headline::allowable;

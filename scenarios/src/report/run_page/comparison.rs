@@ -1,5 +1,6 @@
 //! One page that compares runs: the same curves overlaid, the results side by side, the keys that differ.
 
+use settings::significant;
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 
@@ -15,7 +16,7 @@ use crate::report::html::page;
 use crate::report::lead::{COARSE, READ_CURVES};
 use crate::report::markup::escape;
 use crate::report::{Block, CATEGORIES, Chart, Curve, Mark, Paint, Table, row};
-use crate::scene::{schema, significant};
+use crate::scene::schema;
 
 /// Width of the picture of a run [pixels].
 const PICTURE: u32 = 640;

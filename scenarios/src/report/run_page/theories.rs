@@ -1,6 +1,6 @@
 //! The theories of a scene in its report: their curves, their range and error.
 
-use fsi_coupling::entry_theory::EntryModel;
+use water_entry::EntryModel;
 
 use super::quantity::percent;
 use crate::model_hierarchy::{Assessment, QuantityOfInterest, Theory, assess};

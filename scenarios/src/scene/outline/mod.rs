@@ -6,9 +6,9 @@ mod svg;
 mod table;
 
 use fsi_coupling::geometry::polygon;
-use fsi_coupling::settings::{Problem, convert, significant};
 use serde::Serialize;
 use serde_json::{Value, json};
+use settings::{Problem, convert, significant};
 
 use self::drawing::{Drawing, MOST_POINTS, Placed};
 use super::data_file::{DataFile, Fault, shortened};

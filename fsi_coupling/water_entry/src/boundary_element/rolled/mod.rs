@@ -1,0 +1,184 @@
+//! Fully nonlinear potential flow about a wedge with two deadrises that moves vertically, by boundary elements (THEORY EN34, EN35).
+//!
+//! Each side is one of a symmetric flow, x outwards: surface, cut of the jet and separation are its own. One matrix joins them.
+
+mod contour;
+mod entry;
+mod solution;
+
+pub use entry::{RolledEntry, RolledInstant};
+pub use solution::RolledLoad;
+use solution::RolledSolution;
+
+use super::elements::Sizes;
+use super::entry::BEGIN;
+use super::face::Face;
+use super::lower_side::LowerSide;
+use super::solution::Solution;
+use super::state::EntryFlow;
+use super::surface::FreeSurface;
+use super::{FAR, FlowEnded};
+use crate::asymmetric_similarity::AsymmetricFlow;
+use crate::model::{BOUNDARY_ELEMENT_DEADRISES, EntryModel, OutOfRange};
+
+/// Size of the elements beside the jet over that of a symmetric flow, on flat and on steep faces: φ_t in the wedge's axes changes faster
+/// than that at rest, most on steep faces.
+const SIZES: [f64; 2] = [0.8, 0.6];
+/// Deadrises between which it changes [deg].
+const FLAT_AND_STEEP: [f64; 2] = [20.0, 35.0];
+
+/// The water about a wedge with two deadrises that moves downwards.
+#[derive(Clone, Debug)]
+pub struct RolledFlow {
+    /// Right and left, x outwards.
+    sides: [EntryFlow; 2],
+}
+
+impl RolledFlow {
+    /// A wedge whose faces, left and right, have the `deadrises` [rad] and `lengths` [m] from the apex to the chine. The apex has come to `draught`
+    /// [m] at the constant downward `speed` [m/s] without gravity; from now on there is `gravity` [m/s²] in the water. The surface is that of the
+    /// similar flow.
+    ///
+    /// # Errors
+    /// Deadrises outside [`BOUNDARY_ELEMENT_DEADRISES`] or of which there is no similar flow; a draught or a speed that is not above zero; a
+    /// jet's tip past a chine.
+    pub fn new(
+        deadrises: [f64; 2],
+        lengths: [f64; 2],
+        draught: f64,
+        speed: f64,
+        gravity: f64,
+    ) -> Result<RolledFlow, OutOfRange> {
+        let refused = |what: String, range: String| OutOfRange { what, range, next: EntryModel::Wcsph };
+        let [least, most] = BOUNDARY_ELEMENT_DEADRISES;
+        if let Some(deadrise) =
+            deadrises.iter().map(|d| d.to_degrees()).find(|d| !(least - 1e-6..=most + 1e-6).contains(d))
+        {
+            return Err(refused(
+                format!("a face of {deadrise:.2} degrees"),
+                format!("faces of {least} to {most} degrees"),
+            ));
+        }
+        if !(draught > 0.0 && draught.is_finite() && speed > 0.0 && speed.is_finite()) {
+            let range = "boundary elements need a draught and a downward speed above zero";
+            return Err(refused(format!("{draught} m and {speed} m/s"), range.into()));
+        }
+        let similar = AsymmetricFlow::solve(deadrises[0], deadrises[1])
+            .map_err(|none| refused(none.to_string(), "boundary elements start from the similarity solution".into()))?;
+        // as far as if it began later: what is far from a small wedge is near to it once its chines are wet
+        let wet = (0..2).map(|i| lengths[i] / similar.faces()[i].peak).fold(0.0, f64::max);
+        let far = FAR * (BEGIN * wet / draught).max(1.0) / (0.5 * (deadrises[0] + deadrises[1])).tan();
+        let side = |i: usize| {
+            let sizes = Sizes { jet: element_size(deadrises[i]), ..Sizes::ROLLED };
+            let face = Face::straight(deadrises[i], lengths[i]).at_draught(draught);
+            let surface = FreeSurface::through(&similar.faces()[i].surface, draught, speed, far);
+            let surface = surface.redistributed(LowerSide { face: &face, underside: None, sizes });
+            EntryFlow { surface, face, underside: None, draught, speed, gravity, sizes, past: Vec::new() }
+        };
+        let sides = [side(1), side(0)];
+        if let Some(side) =
+            sides.iter().find(|side| side.face.nearest(side.surface.end(), true).along > side.face.length())
+        {
+            let what = format!("{} m of face at a draught of {draught} m", side.face.length());
+            return Err(refused(what, "boundary elements begin with dry chines".into()));
+        }
+        Ok(RolledFlow { sides })
+    }
+
+    /// The same with all velocities in proportion to a downward speed [m/s], and under a gravity [m/s²].
+    fn at_speed(self, speed: f64, gravity: f64) -> RolledFlow {
+        RolledFlow { sides: self.sides.map(|side| EntryFlow { gravity, ..side.at_speed(speed) }) }
+    }
+
+    /// Draught of the apex below still water [m].
+    pub fn draught(&self) -> f64 {
+        self.sides[0].draught
+    }
+
+    /// Downward speed [m/s].
+    pub fn speed(&self) -> f64 {
+        self.sides[0].speed
+    }
+
+    /// True where the flow has left the chine, left and right.
+    pub fn chines_wet(&self) -> [bool; 2] {
+        [self.sides[1].chines_wet(), self.sides[0].chines_wet()]
+    }
+
+    /// The free surfaces, left and right, from far away to the jet's cut and from there to a wet chine, [x, y] [m], x to the right,
+    /// shape (n, 2).
+    pub fn surfaces(&self) -> [Vec<[f64; 2]>; 2] {
+        let left = self.sides[1].surface().into_iter().map(|[x, y]| [-x, y]).collect();
+        [left, self.sides[0].surface()]
+    }
+
+    /// Load of the water now.
+    pub fn load(&self) -> RolledLoad {
+        solution::solve(&self.sides).load
+    }
+
+    /// One step. `acceleration` gives the downward acceleration [m/s²] under a load. Returns the step [s] and the load at
+    /// its start.
+    ///
+    /// # Errors
+    /// A wedge that has stopped, or a flow that is no longer finite; the state before the step is kept.
+    pub fn step(&mut self, acceleration: impl Fn(&RolledLoad) -> f64) -> Result<(f64, RolledLoad), FlowEnded> {
+        let mut start = solution::solve(&self.sides);
+        if self.separate(&start) {
+            self.sides.iter_mut().for_each(EntryFlow::forget_past);
+            start = solution::solve(&self.sides);
+        }
+        let ended = |speed: f64| FlowEnded { draught: self.draught(), speed };
+        let rate = acceleration(&start.load);
+        let longest = |of: &dyn Fn(&EntryFlow, &Solution) -> f64| {
+            self.sides.iter().zip(&start.sides).map(|(side, now)| of(side, now)).fold(f64::INFINITY, f64::min)
+        };
+        let (dt, end) = if self.sides.iter().all(EntryFlow::has_past) {
+            let dt = longest(&EntryFlow::extrapolated_dt);
+            (dt, [0, 1].map(|i| self.sides[i].extrapolated(&start.sides[i], rate, dt)))
+        } else {
+            let dt = longest(&EntryFlow::stable_dt);
+            let half = self.moved(self.speed(), &start, rate, 0.5 * dt);
+            if !half.iter().all(EntryFlow::is_finite) {
+                return Err(ended(half[0].speed));
+            }
+            let middle = solution::solve(&half);
+            (dt, self.moved(half[0].speed, &middle, acceleration(&middle.load), dt))
+        };
+        let is_finite = end.iter().all(EntryFlow::is_finite) && start.load.force[1].is_finite();
+        if !(is_finite && end[0].speed > 0.0) || self.sides[0].is_too_short(dt) {
+            return Err(ended(end[0].speed));
+        }
+        let [right, left] = end;
+        let after = |i: usize, end: EntryFlow| end.after(&self.sides[i], &start.sides[i], rate, dt).redistributed();
+        self.sides = [after(0, right), after(1, left)];
+        Ok((dt, start.load))
+    }
+
+    /// EN24 on each side: true where the flow has left a chine.
+    fn separate(&mut self, now: &RolledSolution) -> bool {
+        let mut left = false;
+        for (side, now) in self.sides.iter_mut().zip(&now.sides) {
+            if let Some(underside) = side.separated(now) {
+                side.underside = Some(underside);
+                left = true;
+            }
+        }
+        left
+    }
+
+    /// Both sides moved over `dt` with a downward speed, an acceleration and the flow `at` some instant.
+    fn moved(&self, speed: f64, at: &RolledSolution, rate: f64, dt: f64) -> [EntryFlow; 2] {
+        [0, 1].map(|i| self.sides[i].moved(speed, &at.sides[i], rate, dt))
+    }
+}
+
+/// Size of the elements beside the jet of a face over that of a symmetric flow [-].
+fn element_size(deadrise: f64) -> f64 {
+    let ([flat, steep], [of_flat, of_steep]) = (FLAT_AND_STEEP, SIZES);
+    let share = ((deadrise.to_degrees() - flat) / (steep - flat)).clamp(0.0, 1.0);
+    of_flat + share * (of_steep - of_flat)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,44 @@
+//! Low-order models of water entry: from microseconds to seconds instead of minutes (THEORY EN2–EN9, EN20–EN24, EN30–EN41).
+//!
+//! [`Section`] is the bottom, [`EntryModel`] a model, [`Loads`] the load of a section at a draught, [`Entry`] its motion.
+//! [`SimilarityFlow`] is the exact flow about a wedge at constant speed, [`EntryFlow`] the flow about one in any vertical motion,
+//! [`FlowEntry`] that motion, [`AsymmetricFlow`] and [`RolledFlow`] the same of a wedge with two deadrises, [`ElasticWedge`] a wedge with flexible faces,
+//! [`air_cushion`] the air under a flat bottom, [`ditching`] an aeroplane made of sections, [`waves`] those of small height and their maker.
+//!
+//! ```
+//! use water_entry::{EntryModel, Loads, Section};
+//!
+//! # fn main() -> Result<(), water_entry::OutOfRange> {
+//! // a wedge of 30 degrees, 1 m wide, at a draught of 0.1 m and 2 m/s in water of 1000 kg/m3
+//! let loads = Loads::new(EntryModel::Wagner, &Section::wedge(30.0, 1.0)?)?;
+//! let force = 1000.0 * loads.at(0.1).slam * 2.0_f64.powi(2);
+//! // Wagner (1932): F = rho V^2 h pi^3 / (4 tan^2 beta) [N/m]
+//! let exact = 1000.0 * 4.0 * 0.1 * std::f64::consts::PI.powi(3) / (4.0 * 30.0_f64.to_radians().tan().powi(2));
+//! assert!((force / exact - 1.0).abs() < 1e-6);
+//! # Ok(()) }
+//! ```
+
+pub mod air_cushion;
+mod asymmetric_similarity;
+mod boundary_element;
+pub mod ditching;
+mod dobrovolskaya;
+mod entry;
+mod hydroelastic;
+mod loads;
+mod model;
+mod range;
+mod section;
+mod similarity;
+pub mod waves;
+
+pub use asymmetric_similarity::{AsymmetricFlow, Balance, FaceFlow, NoFlow};
+pub use boundary_element::{
+    EntryFlow, FlowEnded, FlowEntry, FlowHistory, FlowLoad, RolledEntry, RolledFlow, RolledInstant, RolledLoad,
+};
+pub use entry::{Entry, Instant, SectionMotion};
+pub use hydroelastic::{ElasticWedge, Held, WedgeState};
+pub use loads::{Load, Loads};
+pub use model::{BOUNDARY_ELEMENT_DEADRISES, EntryModel, OutOfRange};
+pub use section::Section;
+pub use similarity::{DEADRISES, SimilarityFlow};

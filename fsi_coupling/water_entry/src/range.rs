@@ -1,0 +1,125 @@
+//! Which bottoms each model holds for.
+
+use super::model::{EntryModel, OutOfRange};
+use super::section::Section;
+
+/// Least angle at the ends of an arc for boundary elements [deg].
+const LEAST_ARC_DEG: f64 = 20.0;
+/// Least angle by which a bottom turns up where the flow about a bent one leaves it for good [deg].
+const LEAST_CHINE_DEG: f64 = 20.0;
+
+impl EntryModel {
+    /// Refuse a bottom outside the range of the model; it is wetted up to the half width `reach` [m].
+    ///
+    /// # Errors
+    /// What is outside the range, the range, and the next model that covers the bottom.
+    pub fn covers(self, section: &Section, reach: f64) -> Result<(), OutOfRange> {
+        let Some((what, range)) = self.obstacle(section, reach) else { return Ok(()) };
+        // a bottom that boundary elements do not follow may be one for a formula
+        let formulas: &[EntryModel] = match self {
+            EntryModel::BoundaryElement => &[EntryModel::Similarity, EntryModel::Mlm],
+            _ => &[],
+        };
+        let dearer = EntryModel::ALL.iter().filter(|r| **r > self);
+        let able = formulas.iter().chain(dearer).find(|r| r.obstacle(section, reach).is_none());
+        Err(OutOfRange { what, range, next: *able.unwrap_or(&EntryModel::Wcsph) })
+    }
+
+    /// What is outside the model's range, and the range.
+    fn obstacle(self, section: &Section, reach: f64) -> Option<(String, String)> {
+        let [least, most] = self.deadrises();
+        let steepest = section.steepest_within(reach);
+        let is_wedge = section.deadrise_deg().is_some();
+        match self {
+            _ if !self.is_theory() => None,
+            EntryModel::BoundaryElement if section.radius().is_some() => {
+                let end = section.last_angle_deg();
+                let short = end < LEAST_ARC_DEG;
+                short.then(|| {
+                    (
+                        format!("an arc that ends at {end:.1} degrees"),
+                        format!("arcs of {LEAST_ARC_DEG} degrees and more"),
+                    )
+                })
+            }
+            EntryModel::BoundaryElement if !is_wedge => section.not_followed(reach).map(|what| {
+                let range = format!(
+                    "bottoms of faces of {least} to {most} degrees, up to a knuckle of {LEAST_CHINE_DEG} degrees and more"
+                );
+                (what, range)
+            }),
+            _ if section.hollow().is_some() => {
+                let [x, depth] = section.hollow().unwrap_or_default().map(in_tenths_of_millimetres);
+                Some((format!("one with a hollow {depth} m deep at {x} m beside the keel"), "convex bottoms".into()))
+            }
+            EntryModel::Similarity if !is_wedge => {
+                Some(("a curved or bent bottom".into(), format!("wedges of {least} to {most} degrees")))
+            }
+            EntryModel::Similarity if reach > section.half_breadth() => {
+                Some(("a wedge whose chines are wet".into(), "wedges as long as the spray leaves their faces".into()))
+            }
+            _ if steepest > most + 1e-6 || self == EntryModel::BoundaryElement && steepest < least - 1e-6 => {
+                Some((format!("a face of {steepest:.2} degrees"), format!("faces of {least} to {most} degrees")))
+            }
+            _ => None,
+        }
+    }
+}
+
+/// A length [m], rounded for a message.
+fn in_tenths_of_millimetres(length: f64) -> f64 {
+    (1e4 * length).round() / 1e4
+}
+
+impl Section {
+    /// Corners from the keel to where the flow by boundary elements leaves the bottom for good: its chine, or a face that is too steep.
+    pub(super) fn followed(&self) -> &[[f64; 2]] {
+        let [_, most] = EntryModel::BoundaryElement.deadrises();
+        if self.radius().is_some() {
+            return self.corners();
+        }
+        let faces = self.slopes().iter().take_while(|slope| slope.atan().to_degrees() <= most + 1e-6).count();
+        &self.corners()[..=faces]
+    }
+
+    /// Is the bottom straight from the keel to where the flow leaves it?
+    pub(super) fn is_followed_as_wedge(&self) -> bool {
+        self.radius().is_none() && self.followed().len() == 2
+    }
+
+    /// The end of the first face [m].
+    pub(super) fn first_face(&self) -> [f64; 2] {
+        self.corners()[1]
+    }
+
+    /// Deadrises of the faces that boundary elements follow [deg].
+    pub fn followed_deadrises(&self) -> impl Iterator<Item = f64> + '_ {
+        self.slopes()[..self.followed().len() - 1].iter().map(|slope| slope.atan().to_degrees())
+    }
+
+    /// Half breadth where the flow leaves the bottom [m].
+    pub fn followed_half_breadth(&self) -> f64 {
+        self.followed()[self.followed().len() - 1][0]
+    }
+
+    /// The face of a bent bottom, wetted up to the half width `reach` [m], that boundary elements do not follow.
+    fn not_followed(&self, reach: f64) -> Option<String> {
+        let [least, _] = EntryModel::BoundaryElement.deadrises();
+        let angle = |k: usize| self.slopes()[k].atan().to_degrees();
+        let faces = self.followed().len() - 1;
+        let flat = (0..faces).find(|k| angle(*k) < least - 1e-6);
+        let steep = (faces == 0).then_some(0);
+        let further = faces < self.slopes().len() && faces > 0;
+        let bend = further.then(|| angle(faces) - angle(faces - 1)).filter(|turn| *turn < LEAST_CHINE_DEG);
+        flat.or(steep).map(|k| format!("one with a face of {:.2} degrees", angle(k))).or_else(|| {
+            let [x, _] = self.followed()[faces];
+            bend.filter(|_| reach > x).map(|turn| {
+                format!(
+                    "one that turns up by {turn:.1} degrees to {:.1} degrees at {} m",
+                    angle(faces),
+                    in_tenths_of_millimetres(x)
+                )
+            })
+        })
+    }
+}

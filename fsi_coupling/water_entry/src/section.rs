@@ -1,0 +1,374 @@
+//! The bottom of a symmetric body, as entry theories see it, and which bottoms each model holds for.
+
+use super::model::{EntryModel, OutOfRange};
+
+/// Least slope that a bottom may have, of a deadrise of 4°: below it trapped air, absent here, takes over.
+const LEAST_DEADRISE_DEG: f64 = 4.0;
+/// Deadrise of the plates by which a bottom goes on past its chines (Tassin, Korobkin & Cooker 2014) [deg].
+const CONTINUATION_DEG: f64 = 60.0;
+/// Depth of a dent over the breadth up to which a bottom counts as convex: points are rounded [-].
+const DENT: f64 = 1e-4;
+/// Largest turn at a corner that is none [rad].
+const ON_A_LINE: f64 = 1e-9;
+/// Corners on one side of the keel from which they may stand for a circle.
+const LEAST_ON_CIRCLE: usize = 6;
+/// Largest difference of the radii through them [-].
+const OFF_CIRCLE: f64 = 0.005;
+/// Corners of half an arc.
+const ARC_CORNERS: usize = 96;
+
+/// Half of a symmetric bottom: height f(x) over the keel, rising from the keel at x = 0 to the chine, and past it the plates by
+/// which theories let it go on where the flow has left it (THEORY EN2).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Section {
+    corners: Vec<[f64; 2]>,
+    slopes: Vec<f64>,
+    /// Area below the level of each corner, both halves [m²].
+    areas: Vec<f64>,
+    /// Radius of the circle for which the corners stand [m].
+    radius: Option<f64>,
+    /// The deepest place below the convex hull, [distance from the keel's plane, depth] [m].
+    hollow: Option<[f64; 2]>,
+}
+
+impl Section {
+    /// Corners [m] from the keel to the chine, shape (n, 2); the first is the origin of the section.
+    pub fn new(corners: &[[f64; 2]]) -> Result<Section, OutOfRange> {
+        let [x0, y0] = *corners.first().ok_or_else(|| OutOfRange::not_a_section("no corners"))?;
+        let corners: Vec<[f64; 2]> = corners.iter().map(|[x, y]| [x - x0, y - y0]).collect();
+        if corners.len() < 2 || corners.windows(2).any(|w| w[1][0] <= w[0][0]) {
+            return Err(OutOfRange::not_a_section("a bottom whose half breadth does not grow from keel to chine"));
+        }
+        let (corners, hollow) = without_dents(straightened(corners));
+        let slopes = slopes_of(&corners);
+        if slopes[0] < 0.0 {
+            return Err(OutOfRange::not_a_section("a bottom that falls beside its keel"));
+        }
+        Ok(Section { areas: areas_of(&corners), corners, slopes, radius: None, hollow })
+    }
+
+    /// A wedge of the given deadrise [deg] and breadth [m].
+    pub fn wedge(deadrise_deg: f64, breadth: f64) -> Result<Section, OutOfRange> {
+        let half = 0.5 * breadth;
+        Section::new(&[[0.0, 0.0], [half, half * deadrise_deg.to_radians().tan()]])?.steep_enough()
+    }
+
+    /// The arc of a circle of the given radius and chord [m].
+    pub fn arc(radius: f64, breadth: f64) -> Result<Section, OutOfRange> {
+        let end = (0.5 * breadth / radius).min(1.0).asin();
+        let at = |k: usize| end * (k as f64 / ARC_CORNERS as f64).powf(1.5);
+        let corner = |k: usize| [radius * at(k).sin(), 2.0 * radius * (0.5 * at(k)).sin().powi(2)];
+        let corners: Vec<[f64; 2]> = (0..=ARC_CORNERS).map(corner).collect();
+        Ok(Section { radius: Some(radius), ..Section::new(&corners)? })
+    }
+
+    /// The bottom of an upright body whose outline has these corners [m], in order around it.
+    ///
+    /// # Errors
+    /// A flat bottom, one that is lopsided about its keel, one that is less steep than 4 degrees.
+    pub fn of_polygon(points: &[[f64; 2]]) -> Result<Section, OutOfRange> {
+        let keel = (0..points.len()).min_by(|&a, &b| points[a][1].total_cmp(&points[b][1])).unwrap_or(0);
+        let n = points.len();
+        let level = |k: usize| (points[k][1] - points[keel][1]).abs() < 1e-9;
+        if level((keel + 1) % n) || level((keel + n - 1) % n) {
+            return Err(OutOfRange::not_a_section("a flat bottom"));
+        }
+        let half = |step: usize| {
+            let mut corners = vec![points[keel]];
+            for k in 1..n {
+                let (next, last) = (points[(keel + k * step) % n], corners[corners.len() - 1]);
+                if (next[0] - last[0]).abs() <= 1e-9 || (next[0] - last[0]) * if step == 1 { 1.0 } else { -1.0 } < 0.0 {
+                    break;
+                }
+                corners.push(next);
+            }
+            straightened(corners)
+        };
+        let (right, left) = (half(1), half(n - 1));
+        let [x0, _] = points[keel];
+        let alike = |a: &[f64; 2], b: &[f64; 2]| (a[0] + b[0] - 2.0 * x0).abs() < 1e-6 && (a[1] - b[1]).abs() < 1e-6;
+        if right.len() != left.len() || !right.iter().zip(&left).all(|(a, b)| alike(a, b)) {
+            return Err(OutOfRange::not_a_section("a section that is lopsided about its keel"));
+        }
+        let section = Section::new(&right)?;
+        match section.circle() {
+            Some(radius) => Section::arc(radius, 2.0 * section.half_breadth()),
+            None => section.steep_enough(),
+        }
+    }
+
+    /// Radius [m] of the circle with a level keel on which all corners lie.
+    fn circle(&self) -> Option<f64> {
+        let radii = || self.corners[1..].iter().map(|[x, y]| (x * x + y * y) / (2.0 * y));
+        let (least, most) = radii().fold((f64::INFINITY, 0.0_f64), |(low, high), r| (low.min(r), high.max(r)));
+        (self.corners.len() > LEAST_ON_CIRCLE && most - least < OFF_CIRCLE * most).then_some(0.5 * (least + most))
+    }
+
+    /// The deepest place below the convex hull, [distance from the keel's plane, depth] [m]; `None` for a convex bottom.
+    pub fn hollow(&self) -> Option<[f64; 2]> {
+        self.hollow
+    }
+
+    /// The section of its convex hull.
+    pub fn convex(&self) -> Section {
+        let corners = hull_of(&self.corners);
+        Section { slopes: slopes_of(&corners), areas: areas_of(&corners), corners, radius: self.radius, hollow: None }
+    }
+
+    /// Corners from the keel to the chine [m], shape (n, 2).
+    pub(super) fn corners(&self) -> &[[f64; 2]] {
+        &self.corners
+    }
+
+    /// Slopes of the faces between them [-].
+    pub(super) fn slopes(&self) -> &[f64] {
+        &self.slopes
+    }
+
+    /// Angle at the end of a round bottom [deg].
+    pub(super) fn last_angle_deg(&self) -> f64 {
+        (self.half_breadth() / self.radius.unwrap_or(f64::INFINITY)).min(1.0).asin().to_degrees()
+    }
+
+    /// Radius of a round bottom [m]; `None` for other bottoms.
+    pub fn radius(&self) -> Option<f64> {
+        self.radius
+    }
+
+    fn steep_enough(self) -> Result<Section, OutOfRange> {
+        match self.slopes[0] < 0.999 * LEAST_DEADRISE_DEG.to_radians().tan() {
+            true => Err(OutOfRange::not_a_section("a deadrise below 4 degrees")),
+            false => Ok(self),
+        }
+    }
+
+    /// Half breadth at the chines [m].
+    pub fn half_breadth(&self) -> f64 {
+        self.corners[self.corners.len() - 1][0]
+    }
+
+    /// Height of the chines over the keel [m].
+    pub fn chine_height(&self) -> f64 {
+        self.corners[self.corners.len() - 1][1]
+    }
+
+    /// Deadrise of a wedge [deg]; `None` for other bottoms.
+    pub fn deadrise_deg(&self) -> Option<f64> {
+        (self.slopes.len() == 1).then(|| self.slopes[0].atan().to_degrees())
+    }
+
+    /// Steepest deadrise of the faces within the half width `reach` [m], in degrees.
+    pub fn steepest_within(&self, reach: f64) -> f64 {
+        let wet = self.corners.iter().zip(&self.slopes).filter(|(c, _)| c[0] < reach);
+        wet.fold(self.slopes[0], |most, (_, s)| most.max(*s)).atan().to_degrees()
+    }
+
+    /// Straight pieces as [x from, x to, f at the first, slope] [m, m, m, -]: the faces, then the plate that goes on.
+    pub fn pieces(&self) -> impl Iterator<Item = [f64; 4]> + '_ {
+        let faces = self.corners.windows(2).zip(&self.slopes).map(|(w, s)| [w[0][0], w[1][0], w[0][1], *s]);
+        let plate = CONTINUATION_DEG.to_radians().tan().max(self.slopes[self.slopes.len() - 1]);
+        faces.chain([[self.half_breadth(), f64::INFINITY, self.chine_height(), plate]])
+    }
+
+    /// Height f over the keel at distance x from the plane of symmetry [m].
+    pub fn height(&self, x: f64) -> f64 {
+        let piece = self.pieces().find(|[_, to, ..]| x.abs() <= *to);
+        piece.map_or(f64::INFINITY, |[from, _, f, slope]| f + slope * (x.abs() - from))
+    }
+
+    /// Slope df/dx there [-].
+    pub fn slope(&self, x: f64) -> f64 {
+        let (x, last) = (x.abs(), self.slopes.len() - 1);
+        let k = self.corners.partition_point(|c| c[0] < x).saturating_sub(1);
+        if k > last {
+            return self.pieces().last().map_or(f64::INFINITY, |[.., slope]| slope);
+        }
+        if self.radius.is_none() {
+            return self.slopes[k];
+        }
+        // at a corner the curve has the mean slope of the chords beside it, at its ends that of the parabola
+        let at = |k: usize| match k {
+            0 => 0.0,
+            k if k > last => 2.0 * self.slopes[last] - 0.5 * (self.slopes[last - 1] + self.slopes[last]),
+            k => 0.5 * (self.slopes[k - 1] + self.slopes[k]),
+        };
+        let ([x0, _], [x1, _]) = (self.corners[k], self.corners[k + 1]);
+        at(k) + (at(k + 1) - at(k)) * (x - x0) / (x1 - x0)
+    }
+
+    /// Half width of the body's cut with the still water at draught h [m].
+    pub fn still_half_width(&self, draught: f64) -> f64 {
+        let at = self.corners.partition_point(|c| c[1] < draught);
+        match at {
+            0 => 0.0,
+            n if n == self.corners.len() => self.half_breadth(),
+            n => self.corners[n - 1][0] + (draught - self.corners[n - 1][1]) / self.slopes[n - 1],
+        }
+    }
+
+    /// Area of the body below still water at draught h [m²], both halves; sides rise upright from the chines.
+    pub fn still_area(&self, draught: f64) -> f64 {
+        // a convex bottom rises: the faces before the one that the surface cuts are whole, and those after it are dry
+        let (whole, faces) = match self.hollow {
+            None => (self.corners.partition_point(|c| c[1] < draught).saturating_sub(1), 1),
+            Some(_) => (0, self.slopes.len()),
+        };
+        let wet = self.corners[whole..].windows(2).take(faces).filter(|w| draught > w[0][1]);
+        let area = wet.fold(self.areas[whole], |area, w| area + area_between(w[0], w[1], draught));
+        area + 2.0 * self.half_breadth() * (draught - self.chine_height()).max(0.0)
+    }
+
+    /// EN3 (Wagner 1932): draught [m] at which the pile-up wets the half width c, h(c) = (2/π) ∫₀^{π/2} f(c sin θ) dθ.
+    pub fn wagner_draught(&self, c: f64) -> f64 {
+        self.kinks(c).map(|(x, bend)| bend * ((c * c - x * x).sqrt() - x * (x / c).acos())).sum::<f64>()
+            * std::f64::consts::FRAC_2_PI
+    }
+
+    /// Its slope dh/dc [-].
+    pub fn wagner_slope(&self, c: f64) -> f64 {
+        self.kinks(c).map(|(x, bend)| bend * (1.0 - (x / c).powi(2)).sqrt()).sum::<f64>() * std::f64::consts::FRAC_2_PI
+    }
+
+    /// Places below c where the slope changes [m], and by how much [-].
+    fn kinks(&self, c: f64) -> impl Iterator<Item = (f64, f64)> + '_ {
+        let mut before = 0.0;
+        let bends = self.pieces().map(move |[from, _, _, slope]| (from, slope - std::mem::replace(&mut before, slope)));
+        bends.take_while(move |(x, _)| *x < c)
+    }
+}
+
+/// Area between the heights of two corners [m²], both halves, up to a draught.
+fn area_between([x0, y0]: [f64; 2], [x1, y1]: [f64; 2], draught: f64) -> f64 {
+    let top = draught.min(y1);
+    let x = if y1 > y0 { x0 + (x1 - x0) * (top - y0) / (y1 - y0) } else { x1 };
+    (x0 + x) * (top - y0)
+}
+
+/// Area below the level of each corner [m²], both halves.
+fn areas_of(corners: &[[f64; 2]]) -> Vec<f64> {
+    let mut area = 0.0;
+    let mut add = |w: &[[f64; 2]]| {
+        area += area_between(w[0], w[1], w[1][1]);
+        area
+    };
+    std::iter::once(0.0).chain(corners.windows(2).map(&mut add)).collect()
+}
+
+/// Slopes df/dx between corners [-].
+fn slopes_of(corners: &[[f64; 2]]) -> Vec<f64> {
+    corners.windows(2).map(|w| (w[1][1] - w[0][1]) / (w[1][0] - w[0][0])).collect()
+}
+
+/// Without the corners on a straight line between their neighbours; a bottom that is straight to the digits of its points is one face.
+fn straightened(corners: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
+    let (first, last) = (corners[0], corners[corners.len() - 1]);
+    let [breadth, height] = sub(last, first);
+    let off = |corner: &[f64; 2]| {
+        let [x, y] = sub(*corner, first);
+        (y - x * height / breadth).abs()
+    };
+    if corners.len() > 1 && corners.iter().all(|corner| off(corner) <= DENT * 2.0 * breadth.abs()) {
+        return vec![first, last];
+    }
+    let mut kept: Vec<[f64; 2]> = Vec::new();
+    for next in corners {
+        if let [.., before, corner] = kept[..] {
+            let ([ax, ay], [bx, by]) = (sub(corner, before), sub(next, corner));
+            if (ax * by - ay * bx).abs() < ON_A_LINE * ax.hypot(ay) * bx.hypot(by) {
+                kept.pop();
+            }
+        }
+        kept.push(next);
+    }
+    kept
+}
+
+/// The corners of a convex bottom as they are; of one that is convex to the digits of its points, those of its convex hull; of another its
+/// corners, and the place and depth of its hollow [m].
+fn without_dents(corners: Vec<[f64; 2]>) -> (Vec<[f64; 2]>, Option<[f64; 2]>) {
+    if slopes_of(&corners).windows(2).all(|w| w[1] >= w[0] - 1e-9) {
+        return (corners, None);
+    }
+    let hull = hull_of(&corners);
+    let height = |x: f64| {
+        let k = hull.partition_point(|c| c[0] < x).clamp(1, hull.len() - 1);
+        let ([x0, y0], [x1, y1]) = (hull[k - 1], hull[k]);
+        y0 + (y1 - y0) * (x - x0) / (x1 - x0)
+    };
+    let dents = corners.iter().map(|[x, y]| [*x, y - height(*x)]);
+    let deepest = dents.fold([0.0, 0.0], |most, dent| if dent[1] > most[1] { dent } else { most });
+    match deepest[1] > DENT * 2.0 * corners[corners.len() - 1][0] {
+        true => (corners, Some(deepest)),
+        false => (hull, None),
+    }
+}
+
+/// The corners of the convex hull seen from below.
+fn hull_of(corners: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let mut hull: Vec<[f64; 2]> = Vec::new();
+    for corner in corners {
+        while let [.., a, b] = hull[..]
+            && (b[0] - a[0]) * (corner[1] - a[1]) <= (corner[0] - a[0]) * (b[1] - a[1])
+        {
+            hull.pop();
+        }
+        hull.push(*corner);
+    }
+    hull
+}
+
+impl OutOfRange {
+    /// What has no bottom that a theory could take.
+    pub fn not_a_section(what: &str) -> OutOfRange {
+        OutOfRange {
+            what: what.into(),
+            range: "upright, symmetric bottoms of a deadrise of 4° and more".into(),
+            next: EntryModel::Wcsph,
+        }
+    }
+}
+
+/// a − b.
+fn sub(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    [a[0] - b[0], a[1] - b[1]]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A straight face of 0.5 m, its points rounded to a digit of `unit` [m].
+    fn rounded(unit: f64) -> Vec<[f64; 2]> {
+        let round = |value: f64| (value / unit).round() * unit;
+        (0..=37).map(|k| 0.5 * f64::from(k) / 37.0).map(|x| [round(x), round(0.364 * x)]).collect()
+    }
+
+    #[test]
+    fn a_face_with_rounded_points_is_convex() {
+        let corners = rounded(1e-5);
+        assert!(slopes_of(&corners).windows(2).any(|w| w[1] < w[0] - 1e-4));
+        let section = Section::new(&corners).expect("a convex bottom");
+        assert!(section.slopes.windows(2).all(|w| w[1] > w[0]));
+        for [x, y] in corners {
+            assert!((section.height(x) - y).abs() < 2e-5);
+        }
+        assert!((section.wagner_draught(0.3) - 0.3 * 0.364 * std::f64::consts::FRAC_2_PI).abs() < 1e-5);
+    }
+
+    /// Points on a straight face add nothing to it, whether it is the only one or not.
+    #[test]
+    fn corners_on_straight_lines_are_none() {
+        assert_eq!(Section::new(&[[0.0, 0.0], [0.15, 0.07], [0.3, 0.14]]), Section::new(&[[0.0, 0.0], [0.3, 0.14]]));
+        let bent = [[0.0, 0.0], [0.1, 0.02], [0.2, 0.04], [0.25, 0.08], [0.3, 0.12]];
+        assert_eq!(Section::new(&bent), Section::new(&[bent[0], bent[2], bent[4]]));
+    }
+
+    #[test]
+    fn a_hollow_is_told_with_its_depth_and_place() {
+        let section = Section::new(&[[0.0, 0.0], [0.2, 0.1], [0.4, 0.15]]).expect("a section");
+        let error = EntryModel::Mlm.covers(&section, 0.0).expect_err("a hollow").to_string();
+        assert!(error.contains("0.025 m deep at 0.2 m") && error.contains("\"boundary_element\""), "{error}");
+        assert!(section.convex().hollow().is_none() && section.convex().corners.len() == 2);
+        assert!(Section::new(&rounded(2e-3)).expect("a section").hollow().is_some());
+    }
+}
