@@ -1,7 +1,7 @@
-//! The program embeds its scenes, cases and ditching models: rebuild when they change.
+//! The program embeds its cases, ditching models and templates: rebuild when they change.
 
 fn main() {
-    for folder in ["cases", "scenes", "ditching", "templates"] {
+    for folder in ["cases", "ditching", "templates"] {
         println!("cargo:rerun-if-changed={folder}");
     }
 }

@@ -8,7 +8,7 @@
 //! redone. Each line: time [s], height [m], velocity [m/s], force [N/m]. With the argument `straight` no step is tried: the lines are the
 //! same to the last digit.
 
-use scenarios::host::{HostedError, HostedScene, Interface};
+use run::host::{HostedError, HostedScene, Interface};
 
 const MASS: f64 = 100.0;
 const GRAVITY: f64 = 9.81;

@@ -11,9 +11,8 @@
 
 use fsi_coupling::QuasiNewton;
 use fsi_coupling::embed::HostNodes;
-use scenarios::host::{HostedError, HostedRun, HostedScene, Interface};
-use scenarios::run::{RunOptions, run};
-use scenarios::scene;
+use run::host::{HostedError, HostedRun, HostedScene, Interface};
+use run::{RunOptions, run};
 
 const MASS: f64 = 0.5; // kg/m
 const WINDOW: f64 = 1e-4; // s
@@ -124,7 +123,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mass = format!("body.mass={MASS}");
     let sets = ["resolution.spacing=0.01", "time.end=0.004", "time.sample_every=1e-4", &mass].map(String::from);
 
-    let series = run(&scene::load("wedge", &sets)?.scene, &RunOptions::default())?.series;
+    let series = run(&run::load("wedge", &sets)?.scene, &RunOptions::default())?.series;
     let (times, velocities) = (series.times(), series.column("wedge.vy_m_per_s").expect("a velocity"));
     let own = |time: f64| {
         let k = times.partition_point(|t| *t < time).clamp(1, times.len() - 1);

@@ -14,7 +14,7 @@
 
 use std::path::PathBuf;
 
-use scenarios::host::{HostedError, HostedScene, Interface};
+use run::host::{HostedError, HostedScene, Interface};
 
 /// Nodes of the belly, their distance along x [m].
 const BELLY: usize = 9;

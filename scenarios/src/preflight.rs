@@ -2,37 +2,25 @@
 //!
 //! # Example
 //! ```
-//! use scenarios::{preflight::preflight, scene};
+//! use scenarios::preflight::preflight;
 //!
-//! let loaded = scene::load("wedge", &[])?;
+//! let loaded = run::load("wedge", &[])?;
 //! let estimate = preflight(&loaded.scene, &loaded.warnings);
 //! assert!(estimate.fluid_particles > 1000 && estimate.steps > 100);
-//! # Ok::<(), scenarios::scene::SceneError>(())
+//! # Ok::<(), scene::SceneError>(())
 //! ```
 
-use serde::Serialize;
-use sph_core::Solver;
-
-use crate::build::layout;
-use crate::model_hierarchy::{Assessment, QuantityOfInterest, assess};
-use crate::scene::{
-    Body, CouplingScheme, Entry, ExchangeRatio, Modes, OutlineReport, Panel, Scene, Symmetry,
-    known_compressibility_error, line, longest_spring_step, longest_step, memory_estimate, panel_exchanges,
-    panel_length, particle_estimate,
-};
 use fsi_coupling::geometry::layout::tile;
 use fsi_coupling::natural_frequencies;
+use run::model_hierarchy::{Assessment, assess};
+use scene::{
+    Body, CouplingScheme, Entry, ExchangeRatio, Modes, OutlineReport, Panel, QuantityOfInterest, Scene, Symmetry,
+    cost_of_step, known_compressibility_error, layout, line, memory_estimate, panel_exchanges, panel_length,
+    particle_estimate, step_at_start,
+};
+use serde::Serialize;
 use settings::significant;
 use water_entry::EntryModel;
-
-/// Cost of a particle and step on one core, search and walls included [s]; an order of magnitude.
-const COST: f64 = 0.7e-6;
-
-/// The same of a projection [s].
-const PROJECTION_COST: f64 = 2.5e-6;
-
-/// The same of the thesis's projection, with some 500 iterations per step [s].
-const THESIS_COST: f64 = 1e-4;
 
 /// Cost and validity of a run, estimated.
 #[derive(Clone, Debug, Serialize)]
@@ -109,36 +97,6 @@ pub struct PanelExchange {
     pub natural_frequencies_hz: Vec<f64>,
 }
 
-/// Estimated cost of a scene's particles [core-seconds].
-pub fn core_seconds(scene: &Scene) -> f64 {
-    let (particles, _) = particle_estimate(scene);
-    cost_of_step(scene) * particles as f64 * ((scene.time.end - scene.time.start) / step(scene)).ceil()
-}
-
-/// Share of a step's cost that held geometry does not save [-].
-const ANEW: f64 = 0.4;
-
-/// Cost of a particle and step [s]; with a geometry that is held for n acoustic steps on wedges it was 0.73 of it for n = 4, 0.5 for 16.
-fn cost_of_step(scene: &Scene) -> f64 {
-    let steps = scene.solver.weakly_compressible().map_or(1, |fluid| fluid.scheme.acoustic_steps());
-    match scene.solver.kind() {
-        Solver::WeaklyCompressible => COST * (ANEW + (1.0 - ANEW) / f64::from(steps).sqrt()),
-        Solver::Incompressible | Solver::IncompressibleExplicit => PROJECTION_COST,
-        Solver::IncompressibleThesis => THESIS_COST,
-    }
-}
-
-/// Step at the start [s].
-pub(crate) fn step(scene: &Scene) -> f64 {
-    let h = scene.water().smoothing_ratio * scene.resolution.spacing;
-    let fastest = match scene.solver.is_incompressible() {
-        true => scene.projection_speed(),
-        false => scene.sound_speed() + scene.fastest_speed(),
-    };
-    let automatic = || (scene.courant_number() * h / fastest).min(longest_step(scene)).min(longest_spring_step(scene));
-    scene.time.step.unwrap_or_else(automatic).min(scene.time.end)
-}
-
 /// Particles of the block of water in the air, counted.
 fn particles_of_block(scene: &Scene) -> usize {
     let mut count = 0;
@@ -157,7 +115,7 @@ pub fn preflight(scene: &Scene, warnings: &[String]) -> Preflight {
     let added = fluid_particles_at_end.map_or(0.0, |last| (last as f64 - fluid_particles as f64).max(0.0) / 3.0);
     let fastest = scene.fastest_speed();
     let sound = (!scene.solver.is_incompressible()).then_some(scene.sound_speed());
-    let (step, cost) = (step(scene), cost_of_step(scene));
+    let (step, cost) = (step_at_start(scene), cost_of_step(scene));
     let steps = ((scene.time.end - scene.time.start) / step).ceil();
     let entries = scene.entries();
     let least = |of: &dyn Fn(&Entry) -> f64| entries.iter().map(|(_, entry)| of(entry)).reduce(f64::min);
@@ -337,25 +295,10 @@ impl Preflight {
     }
 }
 
-/// Memory that the system can still give this process [bytes]; all of it where the system does not tell.
-pub fn available_memory() -> u64 {
-    let mut system = sysinfo::System::new();
-    system.refresh_memory_specifics(sysinfo::MemoryRefreshKind::nothing().with_ram());
-    let free = Some(system.available_memory()).filter(|&bytes| bytes > 0);
-    free.unwrap_or(u64::MAX).min(address_space().unwrap_or(u64::MAX))
-}
-
-/// Limit on the memory of this process, such as batch systems set it [bytes], where there is one and the system tells.
-fn address_space() -> Option<u64> {
-    let limits = std::fs::read_to_string("/proc/self/limits").ok()?;
-    let soft = limits.lines().find_map(|line| line.strip_prefix("Max address space"))?;
-    soft.split_whitespace().next()?.parse().ok()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::load;
+    use run::load;
 
     /// 0.2 by 0.3 m at 0.02 m are 150 particles, 1.2 by 0.4 m are 1200.
     #[test]

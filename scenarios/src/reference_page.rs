@@ -1,6 +1,6 @@
 //! The reference page of all keys, written from the schemas.
 
-use crate::{ditching, scene};
+use crate::ditching;
 
 /// The page of Markdown.
 pub fn reference_page() -> String {

@@ -17,7 +17,7 @@ mod tests {
         for (name, text) in TEMPLATES {
             let refused = match name {
                 "ditching" => crate::ditching::load_text("new.toml", text, &[]).err(),
-                _ => crate::scene::load_text("new.toml", text, &[]).err(),
+                _ => run::load_text("new.toml", text, &[]).err(),
             };
             assert!(refused.is_none(), "{name}: {refused:?}");
         }

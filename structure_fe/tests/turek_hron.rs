@@ -108,7 +108,7 @@ fn csm3_swings_as_published() {
 
 fn series() -> Vec<(f64, f64)> {
     let path =
-        concat!(env!("CARGO_MANIFEST_DIR"), "/../scenarios/cases/reference/external/turek_csm3_reference_t0_5.csv");
+        concat!(env!("CARGO_MANIFEST_DIR"), "/../scenarios/scene/reference/external/turek_csm3_reference_t0_5.csv");
     let text = std::fs::read_to_string(path).unwrap();
     let rows = text.lines().filter(|line| line.starts_with(|c: char| c.is_ascii_digit()));
     rows.map(|line| {

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use scenarios::{ditching, scene};
+use scenarios::ditching;
 use settings::Schema;
 
 use crate::mutate::{Random, plausible, text, value};

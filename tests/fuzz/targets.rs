@@ -4,12 +4,15 @@ use std::fs;
 use std::panic::{catch_unwind, resume_unwind};
 use std::path::{Path, PathBuf};
 
+use run::compare;
+use scenarios::ditching;
 use scenarios::experiments::catalogue::{Case, Catalogue};
 use scenarios::experiments::convergence::{Plan, study};
 use scenarios::experiments::{ExperimentError, coverage, stability, validation, work_precision};
-use scenarios::scene::{Loaded, SceneError};
+use scenarios::preflight;
 use scenarios::sweep::{SweepError, SweepFile};
-use scenarios::{compare, ditching, preflight, reference, scene};
+use scene::reference;
+use scene::{Loaded, SceneError};
 
 /// Scenes that need more are not laid out [bytes].
 const MEMORY: u64 = 128 << 20;
@@ -105,10 +108,10 @@ impl Input {
     pub fn judge(&self) -> Result<bool, String> {
         let text = &self.text;
         match self.target {
-            Target::Scene => of_scene("fuzz.toml:", scene::load_text("fuzz.toml", text, &[])),
+            Target::Scene => of_scene("fuzz.toml:", run::load_text("fuzz.toml", text, &[])),
             Target::Set => {
                 let (name, sets) = name_and_sets(text);
-                of_scene(&format!("{name}.toml:"), scene::load(&name, &sets))
+                of_scene(&format!("{name}.toml:"), run::load(&name, &sets))
             }
             Target::Landing => of_landing("fuzz.toml:", ditching::load_text("fuzz.toml", text, &[])),
             Target::LandingSet => {
@@ -155,7 +158,7 @@ fn of_scene(place: &str, loaded: Result<Loaded, SceneError>) -> Result<bool, Str
     }
     preflight::preflight(&loaded.scene, &loaded.warnings).to_text();
     let written = loaded.scene.to_toml();
-    match scene::load_text("resolved.toml", &written, &[]) {
+    match run::load_text("resolved.toml", &written, &[]) {
         Ok(_) => Ok(true),
         Err(error) => Err(format!("scene.resolved.toml is refused: {}", short(&error.to_string()))),
     }
@@ -192,7 +195,7 @@ fn of_table(text: &str) -> Result<bool, String> {
         quoted(y)
     );
     let name = scene_file.display().to_string();
-    let loaded = match scene::load_text(&name, &format!("{wedge}\n{compare}"), &[]) {
+    let loaded = match run::load_text(&name, &format!("{wedge}\n{compare}"), &[]) {
         Ok(loaded) => loaded,
         Err(error) => return refused(&format!("{name}:"), error),
     };

@@ -2,7 +2,7 @@
 
 use evidence::light::{DRAUGHT, light_box, settle};
 use evidence::systems::{advance, scene, system};
-use scenarios::scene::ExchangeRatio;
+use scene::ExchangeRatio;
 /// The schemes of `coupling.scheme`; all but the first hold for light bodies.
 const SCHEMES: [&str; 3] = ["weak", "added_mass", "iqn_ils"];
 

@@ -1,15 +1,14 @@
 //! Courant numbers at which each integrator breaks down; a scene that asks for one is refused (THEORY WC16).
 
 use evidence::systems::advance;
-use scenarios::build;
-use scenarios::scene;
+use run::build;
 
 /// Whether a scene runs to `end` [s] with a Courant number that no scene may ask for.
 fn ran(name: &str, spacing: &str, end: f64, integrator: &str, cfl: f64) -> bool {
     let cfl = format!("fluid.cfl={cfl}");
     let every = integrator.ends_with("verlet").then_some("fluid.verlet_correction_every=2");
     let sets = [spacing, integrator, &cfl].into_iter().chain(every).map(String::from).collect::<Vec<_>>();
-    let scene = scene::load_beyond_limits(name, &sets).expect("a built-in scene").scene;
+    let scene = run::load_beyond_limits(name, &sets).expect("a built-in scene").scene;
     let mut system = build::build(&scene).expect("a scene that loads can be built");
     advance(&mut system, end, |_| ()).is_ok()
 }
@@ -35,7 +34,7 @@ fn each_integrator_breaks_down_at_the_courant_number_that_is_refused() {
         assert!(!run(refused), "{name} ran at C = {refused}");
         assert!(run(runs), "{name} broke down at C = {runs}");
 
-        let load = |cfl: f64| scene::load("dam_break", &[integrator.clone(), format!("fluid.cfl={cfl}")]);
+        let load = |cfl: f64| run::load("dam_break", &[integrator.clone(), format!("fluid.cfl={cfl}")]);
         let message = load(refused).expect_err("refused").to_string();
         assert!(message.contains(&format!("below {refused}, where {name} breaks down")), "{message}");
         assert!(load(refused - 0.01).is_ok(), "{name}: {} is refused", refused - 0.01);

@@ -1,9 +1,8 @@
 //! Every option runs a dam break to its end, or fails as it is known to.
 
 use evidence::systems::{advance, scene, system};
-use scenarios::run::summary::{Status, Summary};
-use scenarios::run::{self, RunOptions};
-use scenarios::scene;
+use run::summary::{Status, Summary};
+use run::{self, RunOptions};
 
 /// A coarse dam break to its end, 1.8 s.
 fn dam_break(sets: &[&str]) -> Summary {
@@ -113,7 +112,7 @@ fn summed_densities_break_down_at_a_free_surface() {
 fn a_fixed_step_above_the_acoustic_limit_breaks_down() {
     let limit = 1.5 * 0.06 / 34.3; // h/c₀ of the scene [s]
     let set = |step: f64| vec!["resolution.spacing=0.06".to_string(), format!("time.step={step}")];
-    let message = scene::load("dam_break", &set(1.5 * limit)).expect_err("a step that breaks down").to_string();
+    let message = run::load("dam_break", &set(1.5 * limit)).expect_err("a step that breaks down").to_string();
     assert!(message.contains("`time.step`") && message.contains("1.2 h/c0"), "{message}");
     let mut scene = scene("dam_break", &["resolution.spacing=0.06"]);
     scene.time.step = Some(1.5 * limit);

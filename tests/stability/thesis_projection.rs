@@ -3,8 +3,8 @@
 
 use evidence::systems::{of_text, scene, system};
 use fsi_coupling::{Coupled, CouplingError};
-use scenarios::run::summary::Status;
-use scenarios::run::{self, RunOptions};
+use run::summary::Status;
+use run::{self, RunOptions};
 use sph_core::Breakdown;
 
 /// ρ g [Pa/m] of every scene.

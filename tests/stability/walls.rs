@@ -4,7 +4,7 @@ use evidence::parameters::Parameters;
 use evidence::systems::{advance, scene, system};
 use fsi_coupling::geometry::layout::{Basin, Layout};
 use fsi_coupling::{Contact, Tank, WallRows, WettedBody};
-use scenarios::build;
+use run::build;
 use sph_core::{Fluid, Seed, WallModel, Walls};
 
 const SPACING: f64 = 0.05;

@@ -10,8 +10,8 @@ use std::fmt::Write;
 
 use fsi_coupling::geometry::polygon;
 use fsi_coupling::{Coupled, CouplingError};
-use scenarios::build;
-use scenarios::scene::{self, Scene};
+use run::build;
+use scene::Scene;
 
 use crate::statistics::Noise;
 
@@ -121,8 +121,7 @@ pub fn variation(seed: u64, sets: &[&str]) -> Variation {
         _ => pours(&mut draw, &mut text),
     };
     let sets: Vec<String> = sets.iter().map(|set| set.to_string()).collect();
-    let scene =
-        scene::load_text("surfacing", &text, &sets).unwrap_or_else(|e| panic!("seed {seed}: {e}\n{text}")).scene;
+    let scene = run::load_text("surfacing", &text, &sets).unwrap_or_else(|e| panic!("seed {seed}: {e}\n{text}")).scene;
     Variation { seed, what, scene, fall: (2.0 * 9.81 * (depth + top)).sqrt() + speed }
 }
 

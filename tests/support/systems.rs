@@ -1,13 +1,13 @@
 //! Coarse systems made of the built-in scenes, and the loop that steps them.
 
 use fsi_coupling::{Coupled, CouplingError};
-use scenarios::build;
-use scenarios::scene::{self, Scene};
+use run::build;
+use scene::Scene;
 
 /// A built-in scene with overrides, each as for `--set`.
 pub fn scene(name: &str, sets: &[&str]) -> Scene {
     let sets: Vec<String> = sets.iter().map(|set| set.to_string()).collect();
-    scene::load(name, &sets).expect("a built-in scene with sound overrides").scene
+    run::load(name, &sets).expect("a built-in scene with sound overrides").scene
 }
 
 /// The same, built and ready to step.
@@ -42,6 +42,6 @@ pub fn lift(system: &Coupled) -> f64 {
 /// The system of a scene's text with overrides.
 pub fn of_text(text: &str, sets: &[&str]) -> Coupled {
     let sets: Vec<String> = sets.iter().map(|set| set.to_string()).collect();
-    let scene = scene::load_text("a scene of a test", text, &sets).expect("a sound scene").scene;
+    let scene = run::load_text("a scene of a test", text, &sets).expect("a sound scene").scene;
     build::build(&scene).expect("a scene that loads can be built")
 }

@@ -1,7 +1,7 @@
 //! The approach of a body to weakly compressible water (THEORY WA12).
 
 use evidence::systems::{scene, system};
-use scenarios::run::{RunOptions, run};
+use run::{RunOptions, run};
 
 /// A wedge in free fall, and one at constant speed, are half a spacing above their places at t = 0, with the speed that the scene says.
 #[test]

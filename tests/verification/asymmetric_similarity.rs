@@ -2,8 +2,8 @@
 //! against the similar flow.
 
 use evidence::long::with_long;
-use scenarios::run::{RunOptions, run};
-use scenarios::scene::load_text;
+use run::load_text;
+use run::{RunOptions, run};
 use water_entry::{AsymmetricFlow, Balance, EntryModel, FlowEnded, RolledFlow, RolledLoad, SimilarityFlow};
 
 /// Downward speed [m/s] and first draught [m].

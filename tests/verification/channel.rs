@@ -3,7 +3,7 @@
 
 use evidence::bare::{advance, lattice, parameters};
 use evidence::parameters::Parameters;
-use scenarios::reference::Table;
+use scene::reference::Table;
 use sph_core::neighbours::images::Periodic;
 use sph_core::{Fluid, Slip, WallPoint, Walls};
 

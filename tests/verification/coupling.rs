@@ -3,7 +3,7 @@
 use evidence::light::{BREADTH, DRAUGHT, HEIGHT, light_box, settle};
 use evidence::systems::{scene, system, take};
 use fsi_coupling::{Coupled, CouplingError, Motion};
-use scenarios::build;
+use run::build;
 
 const STRONG: [&str; 2] = ["coupling.scheme=added_mass", "coupling.scheme=iqn_ils"];
 

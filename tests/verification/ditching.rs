@@ -5,8 +5,8 @@ use std::sync::LazyLock;
 use evidence::landing::{RHO, landing, prism, tapered_hull};
 use evidence::long::long;
 use rayon::prelude::*;
+use run::summary::Status;
 use scenarios::ditching::{self, Accelerometer, Landed, Summary};
-use scenarios::run::summary::Status;
 use water_entry::ditching::{Aeroplane, Attitude, LandingEnd, LandingState};
 use water_entry::{EntryModel, Loads, Section};
 
@@ -269,7 +269,7 @@ fn sections_are_scenes_that_can_be_run() {
     let sections = ditching::section_scenes(&scene, &ditching::follow(&scene), 3);
     assert_eq!(sections.len(), 3);
     for section in &sections {
-        let loaded = scenarios::scene::load_text(&section.name, &section.text, &[]).expect("a scene");
+        let loaded = run::load_text(&section.name, &section.text, &[]).expect("a scene");
         assert_eq!(loaded.scene.name, section.name);
         assert!(loaded.scene.body.is_some_and(|b| b.velocity[1] < -1.0), "{}", section.text);
     }

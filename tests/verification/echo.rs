@@ -1,8 +1,8 @@
 //! Echoes: the tank that a scene gets by default is not felt before the end of the run.
 
 use evidence::systems::scene;
-use scenarios::observers::SimilarityResult;
-use scenarios::run::{RunOptions, run};
+use run::observers::SimilarityResult;
+use run::{RunOptions, run};
 
 /// The 30° wedge to Vt/Δx = 20 in a tank `factor` times as wide and deep as the default.
 fn entry(factor: f64) -> SimilarityResult {

@@ -2,7 +2,7 @@
 //! ordinary differential equation, here tabulated. No walls, no gravity, a free surface all round.
 
 use evidence::bare::{advance, lattice, parameters};
-use scenarios::reference::Table;
+use scene::reference::Table;
 use sph_core::{Fluid, Walls};
 
 /// Strain rate at first [1/s]; the drop's radius is 1 m.

@@ -1,8 +1,8 @@
 //! Gauges of a length and a bandwidth (THEORY GE3, GE4), in water at rest.
 
 use evidence::systems::scene;
-use scenarios::observers::LowPass;
-use scenarios::run::{Outcome, RunOptions, run};
+use run::observers::LowPass;
+use run::{Outcome, RunOptions, run};
 
 /// Half depth of the tank [m] times ρ g: the mean pressure of every gauge centred there [Pa].
 const MEAN: f64 = 1000.0 * 9.81 * 0.5;
@@ -97,7 +97,7 @@ fn a_face_across_the_plane_of_symmetry_reads_both_halves() {
     );
     let sets = ["resolution.spacing=0.02", "time.end=0.01", "body.radius=1.0", &gauges];
     let scene = scene("fuselage_section", &sets);
-    assert_eq!(scene.symmetry, scenarios::scene::Symmetry::X);
+    assert_eq!(scene.symmetry, scene::Symmetry::X);
     let outcome = run(&scene, &RunOptions::default()).expect("a run");
     let (both, right) = (mean(&outcome, "both"), mean(&outcome, "right"));
     assert!(right > 1000.0, "no impact: {right} Pa");

@@ -2,7 +2,7 @@
 
 use evidence::statistics::mean;
 use evidence::systems::scene;
-use scenarios::run::{RunOptions, run};
+use run::{RunOptions, run};
 
 use crate::standing_wave::COARSE_WAVE;
 

@@ -2,8 +2,7 @@
 
 use evidence::statistics::mean;
 use evidence::systems::{advance, of_text};
-use scenarios::run::{RunOptions, run};
-use scenarios::scene;
+use run::{RunOptions, run};
 
 /// A deep tank whose rows grow from 0.02 to about 0.8 m.
 const STILL: &str = "
@@ -90,7 +89,7 @@ fn a_slow_wedge_has_the_force_of_potential_flow_in_incompressible_water() {
 fn follow_boundary_elements(solver: &[&str], motion: &[&str]) -> f64 {
     let force = |model: &[&str]| {
         let sets: Vec<String> = model.iter().chain(motion).map(|set| set.to_string()).collect();
-        let scene = scene::load_text("a slow wedge", SLOW, &sets).expect("a sound scene").scene;
+        let scene = run::load_text("a slow wedge", SLOW, &sets).expect("a sound scene").scene;
         let outcome = run(&scene, &RunOptions::default()).expect("a run");
         let time = outcome.series.column("time_s").expect("times").to_vec();
         let force = outcome.series.column("wedge.fy_N_per_m").expect("a force").to_vec();

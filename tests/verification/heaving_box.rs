@@ -4,7 +4,7 @@
 use evidence::heave::HeavingBox;
 use evidence::statistics::period;
 use evidence::systems::{advance, system};
-use scenarios::reference::Table;
+use scene::reference::Table;
 
 /// The box of the scene `heaving_box`.
 fn the_box() -> HeavingBox {

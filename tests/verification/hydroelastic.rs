@@ -23,7 +23,7 @@ fn aluminium(speed: f64, thickness: f64, held: Held) -> ElasticWedge {
 }
 
 fn rows(path: &str) -> Vec<Vec<f64>> {
-    let file = format!("{}/../scenarios/cases/reference/{path}", env!("CARGO_MANIFEST_DIR"));
+    let file = format!("{}/../scenarios/scene/reference/{path}", env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(file).expect("a reference");
     let numbers = text.lines().filter(|l| !l.starts_with('#')).skip(1);
     numbers.map(|l| l.split(',').map(|v| v.parse().expect("a number")).collect()).collect()

@@ -1,9 +1,10 @@
 //! The pressure at the keel of a steep wedge (THEORY GE21).
 
 use evidence::systems::scene;
-use scenarios::observers::{KeelLaw, SimilarityResult};
-use scenarios::run::{RunOptions, run};
+use run::observers::SimilarityResult;
+use run::{RunOptions, run};
 use water_entry::SimilarityFlow;
+use water_entry::keel::KeelLaw;
 
 /// Spacings of draught, and the kernel's support in them.
 const DRAUGHT: f64 = 64.0;

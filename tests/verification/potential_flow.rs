@@ -1,8 +1,9 @@
 //! Fully nonlinear potential flow by boundary elements (THEORY EN20–EN24, EN30) against the similarity solution and others' boundary elements.
 
-use scenarios::model_hierarchy::{QuantityOfInterest, Theory, measured};
-use scenarios::run::{RunOptions, run};
-use scenarios::scene::load_text;
+use run::load_text;
+use run::model_hierarchy::{Theory, measured};
+use run::{RunOptions, run};
+use scene::QuantityOfInterest;
 use water_entry::{EntryFlow, EntryModel, FlowEntry, FlowLoad, Loads, Section, SectionMotion, SimilarityFlow};
 
 use evidence::systems::scene;
@@ -47,7 +48,7 @@ fn a_wedge_at_constant_speed_has_the_similar_flow() {
 #[test]
 fn a_free_wedge_slows_down_as_in_others_boundary_elements() {
     let (density, mass, gravity, start) = (1000.0, 78.3, 9.81, 0.005);
-    let file = "/../scenarios/cases/reference/external/wedge25_yettou2006_velocity_bem_zf.csv";
+    let file = "/../scenarios/scene/reference/external/wedge25_yettou2006_velocity_bem_zf.csv";
     let text = std::fs::read_to_string(format!("{}{file}", env!("CARGO_MANIFEST_DIR"))).expect("a reference");
     let rows = text.lines().filter(|line| !line.starts_with('#')).skip(1);
     let theirs: Vec<[f64; 2]> = rows

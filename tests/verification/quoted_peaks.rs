@@ -2,9 +2,9 @@
 
 use evidence::long::long;
 use evidence::systems::scene;
-use scenarios::results::{BandwidthBy, Quantity, Verdict};
-use scenarios::run::summary::Summary;
-use scenarios::run::{RunOptions, run};
+use run::results::{BandwidthBy, Quantity, Verdict};
+use run::summary::Summary;
+use run::{RunOptions, run};
 
 fn summary(name: &str, sets: &[&str]) -> Summary {
     run(&scene(name, sets), &RunOptions::default()).expect("a scene that can be built").summary

@@ -4,7 +4,7 @@
 use std::f64::consts::PI;
 
 use evidence::bare::{advance, lattice, parameters};
-use scenarios::reference::Table;
+use scene::reference::Table;
 use sph_core::particles::probe::Probe;
 use sph_core::{Fluid, Walls};
 

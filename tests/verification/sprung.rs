@@ -3,9 +3,9 @@
 use evidence::load::Handled;
 use evidence::systems::{advance, of_text, system};
 use fsi_coupling::{Inspect, Outline, RigidBody2d, RigidSpec, Shape, SprungSpec, WettedBody};
-use scenarios::build::build;
+use run::build::build;
+use run::load;
 use scenarios::preflight::preflight;
-use scenarios::scene::load;
 use sph_core::Walls;
 use water_entry::{EntryModel, Loads, Section};
 

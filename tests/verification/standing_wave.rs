@@ -7,10 +7,10 @@ use evidence::parameters::Parameters;
 use evidence::statistics::period;
 use evidence::systems::{advance, scene};
 use fsi_coupling::{Body, Coupled, Scheme, Tank};
-use scenarios::build;
-use scenarios::reference::Table;
-use scenarios::run::summary::Summary;
-use scenarios::run::{RunOptions, run};
+use run::build;
+use run::summary::Summary;
+use run::{RunOptions, run};
+use scene::reference::Table;
 use sph_core::Seed;
 use sph_core::wcsph::eos::Tait;
 

@@ -8,7 +8,7 @@ use std::f64::consts::PI;
 
 use evidence::bare::{advance, lattice, parameters};
 use evidence::parameters::Parameters;
-use scenarios::reference::Table;
+use scene::reference::Table;
 use sph_core::neighbours::images::Periodic;
 use sph_core::{Dissipation, Fluid, Seed, Solver, Walls};
 

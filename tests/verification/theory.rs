@@ -10,7 +10,7 @@ struct Reference {
 
 impl Reference {
     fn read(path: &str) -> Reference {
-        let file = format!("{}/../scenarios/cases/reference/{path}", env!("CARGO_MANIFEST_DIR"));
+        let file = format!("{}/../scenarios/scene/reference/{path}", env!("CARGO_MANIFEST_DIR"));
         let text = std::fs::read_to_string(file).expect("a reference");
         let mut lines = text.lines().filter(|l| !l.starts_with('#'));
         let head = lines.next().expect("a head").split(',').map(String::from).collect();

@@ -6,7 +6,7 @@ use std::ptr::null_mut;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use fsi_coupling::embed::HostNodes;
-use scenarios::host::{HostedRun, HostedScene, Interface};
+use run::host::{HostedRun, HostedScene, Interface};
 
 use crate::element::{
     splashdown_contribute, splashdown_element, splashdown_free_element, splashdown_restore, splashdown_save,

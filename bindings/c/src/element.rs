@@ -1,7 +1,7 @@
 //! Phase four: the element at work.
 
 use fsi_coupling::embed::{HostNodes, Snapshot};
-use scenarios::host::HostedRun;
+use run::host::HostedRun;
 
 use crate::border::guarded;
 use crate::buffers;

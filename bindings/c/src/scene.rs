@@ -3,7 +3,7 @@
 use std::ffi::c_char;
 use std::path::PathBuf;
 
-use scenarios::host::{HostedScene, Interface};
+use run::host::{HostedScene, Interface};
 
 use crate::border::guarded;
 use crate::buffers;
@@ -202,7 +202,7 @@ pub unsafe extern "C" fn splashdown_record(
         // SAFETY: a text by the contract of the caller.
         let folder = PathBuf::from(unsafe { buffers::text("folder", folder)? });
         SCENES.with_slot(scene, |slot| {
-            *slot = slot.take().map(|scene| scene.recording(folder, replace != 0));
+            *slot = slot.take().map(|scene| scene.recording(folder, replace != 0).with_page(report::page_of_run));
             Ok(())
         })
     })

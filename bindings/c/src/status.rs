@@ -1,6 +1,6 @@
 //! What every call returns.
 
-use scenarios::host::{ErrorKind, HostedError};
+use run::host::{ErrorKind, HostedError};
 
 /// How a call ended. The numbers never change; a later version may add some.
 #[repr(C)]

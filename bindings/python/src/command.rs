@@ -5,7 +5,6 @@ use std::path::PathBuf;
 
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use scenarios::scene;
 
 use crate::settings::{assignments, load};
 

@@ -4,8 +4,8 @@ use miette::Diagnostic;
 use pyo3::create_exception;
 use pyo3::exceptions::{PyOSError, PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
-use scenarios::run::RunError;
-use scenarios::scene::SceneError;
+use run::RunError;
+use scene::SceneError;
 
 create_exception!(
     splashdown,

@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
+use run::log::{LogReader, LoggedFrame, Point};
 use scenarios::export::{start_of_run, time_of_run};
-use scenarios::log::{LogReader, LoggedFrame, Point};
 
 use crate::arrays::{self, Particles};
 use crate::call::{Guarded, refuse_fork};

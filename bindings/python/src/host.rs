@@ -6,8 +6,8 @@ use fsi_coupling::embed::{HostNodes, Snapshot};
 use numpy::{IntoPyArray, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyList};
-use scenarios::host::{ErrorKind, HostedError, HostedRun, HostedScene, Interface};
-use scenarios::scene::Scene;
+use run::host::{ErrorKind, HostedError, HostedRun, HostedScene, Interface};
+use scene::Scene;
 
 use crate::call::{Guarded, refuse_fork};
 use crate::host_arrays::{check_forces, read_nodes, read_start, write_forces};
@@ -114,7 +114,7 @@ impl Host {
         let name = text(&scene)?;
         let mut sized = py.detach(|| HostedScene::open(name, &sets, interface)).map_err(|error| hosted(py, error))?;
         if let Some(folder) = &out {
-            sized = sized.recording(folder.clone(), force);
+            sized = sized.recording(folder.clone(), force).with_page(report::page_of_run);
         }
         let mut nodes = sized.nodes().clone();
         read_start(&mut nodes, velocity, spin)?;

@@ -7,9 +7,9 @@ use numpy::PyArray1;
 use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use scenarios::run::summary::Status;
-use scenarios::run::{Checkpoints, Outcome, RunOptions, run};
-use scenarios::scene::Scene;
+use run::summary::Status;
+use run::{Checkpoints, Outcome, RunOptions, run};
+use scene::Scene;
 use sph_core::parallel;
 
 use crate::call::interruptible;
@@ -37,6 +37,7 @@ pub fn run_scene<'py>(
     let loaded = load(py, &scene, &assignments(set)?)?;
     let ended = interruptible(py, |stop| {
         let options = RunOptions {
+            page: Some(report::page_of_run),
             checkpoints: out.is_some().then(Checkpoints::default),
             out,
             force,

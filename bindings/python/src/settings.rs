@@ -4,8 +4,8 @@ use std::path::Path;
 
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyDict, PyList, PyString, PyTuple};
-use scenarios::preflight::available_memory;
-use scenarios::scene::{self, Loaded};
+use run::memory::available_memory;
+use scene::Loaded;
 
 use crate::call::refuse_fork;
 use crate::errors;
@@ -56,6 +56,6 @@ pub fn load(py: Python<'_>, scene: &Path, sets: &[String]) -> PyResult<Loaded> {
     refuse_fork()?;
     let name = text(scene)?;
     let fitting = |loaded: Loaded| loaded.fits_in_memory(available_memory()).map(|()| loaded);
-    let loaded = py.detach(|| scene::load(name, sets).and_then(fitting));
+    let loaded = py.detach(|| run::load(name, sets).and_then(fitting));
     loaded.map_err(|error| errors::scene(py, &error))
 }

@@ -7,8 +7,8 @@ use fsi_coupling::{Coupled, CouplingError, Motion};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
-use scenarios::build;
-use scenarios::scene::Scene;
+use run::build;
+use scene::Scene;
 
 use crate::arrays::{self, Particles};
 use crate::call::{Guarded, interruptible};

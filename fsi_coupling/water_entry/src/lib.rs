@@ -25,6 +25,7 @@ pub mod ditching;
 mod dobrovolskaya;
 mod entry;
 mod hydroelastic;
+pub mod keel;
 mod loads;
 mod model;
 mod range;

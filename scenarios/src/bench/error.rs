@@ -2,8 +2,8 @@
 
 use sph_core::Breakdown;
 
-use crate::run::RunError;
-use crate::scene::SceneError;
+use run::RunError;
+use scene::SceneError;
 
 /// A measurement that could not be made.
 #[derive(Debug, thiserror::Error)]

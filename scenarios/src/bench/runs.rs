@@ -8,9 +8,9 @@ use std::time::{Duration, Instant};
 use serde::Serialize;
 
 use super::error::BenchError;
-use crate::run::summary::{PhaseTime, Summary};
-use crate::run::{RunOptions, run};
-use crate::scene::{self, Scene};
+use run::summary::{PhaseTime, Summary};
+use run::{RunOptions, run};
+use scene::Scene;
 
 /// A column of water of 1 m x 2 m lets go; 20 000 particles.
 const COLUMN: &str = include_str!("column.toml");
@@ -75,11 +75,11 @@ pub(super) fn log_of_column(end: f64, turns: usize) -> Result<LogCost, BenchErro
 /// A built-in scene as it is, or with another spacing [m].
 pub(super) fn log_of_builtin(name: &str, spacing: Option<f64>, turns: usize) -> Result<LogCost, BenchError> {
     let sets: Vec<String> = spacing.map(|dx| format!("resolution.spacing={dx}")).into_iter().collect();
-    log_cost(&scene::load(name, &sets)?.scene, turns)
+    log_cost(&run::load(name, &sets)?.scene, turns)
 }
 
 fn scene_of(toml: &str, sets: &[String]) -> Result<Scene, BenchError> {
-    Ok(scene::load_text("column.toml", toml, sets)?.scene)
+    Ok(run::load_text("column.toml", toml, sets)?.scene)
 }
 
 /// With the log and without by turns, into a temporary folder; the shortest of each counts.
@@ -95,7 +95,13 @@ fn log_cost_in(folder: &Path, scene: &Scene, turns: usize) -> Result<LogCost, Be
     for turn in 0..turns {
         for on in [turn % 2 == 0, turn % 2 == 1] {
             let out = Some(folder.to_path_buf());
-            let options = RunOptions { out, force: true, without_log: !on, ..RunOptions::default() };
+            let options = RunOptions {
+                out,
+                force: true,
+                page: Some(report::page_of_run),
+                without_log: !on,
+                ..RunOptions::default()
+            };
             let summary = run(scene, &options)?.summary;
             let best = &mut shortest[usize::from(on)];
             *best = best.min(summary.wall_time_s);

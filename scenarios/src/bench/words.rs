@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use sph_core::Phase;
 
 use super::{Bench, Block, Column, LogCost, OneAndAll};
-use crate::run::summary::PhaseTime;
+use run::summary::PhaseTime;
 
 /// Width of the bar of phases in letters.
 const BAR: usize = 60;

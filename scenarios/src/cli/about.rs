@@ -5,18 +5,18 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::shared::{DONE, Output, SceneArgs, Stop, load, say, write};
-use crate::model_hierarchy::Theory;
+use crate::ditching;
 use crate::preflight::preflight;
-use crate::report::section_picture;
-use crate::run::RunError;
-use crate::spelling::nearest;
 use crate::templates::TEMPLATES;
-use crate::{ditching, scene};
+use report::section_picture;
+use run::RunError;
+use run::model_hierarchy::Theory;
+use scene::nearest;
 
 pub(super) fn list(output: &Output) -> Result<u8, Stop> {
     let mut scenes = Vec::new();
     for (name, _) in scene::builtin() {
-        scenes.push((name, scene::load(name, &[])?.scene.description));
+        scenes.push((name, run::load(name, &[])?.scene.description));
     }
     if output.json {
         let names: Vec<_> = scenes.iter().map(|(n, d)| serde_json::json!({"scene": n, "description": d})).collect();

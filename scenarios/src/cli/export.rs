@@ -3,11 +3,9 @@
 use std::path::Path;
 
 use clap::Args;
-#[cfg(feature = "legacy")]
 use std::path::PathBuf;
 
 use super::shared::{DONE, Output, SceneArgs, Stop, say};
-#[cfg(feature = "legacy")]
 use super::thesis_files;
 use crate::export::{ExportError, FrameFormat, PanelFormat, export_frames, export_modes, export_panels};
 
@@ -35,11 +33,9 @@ pub(super) struct ExportArgs {
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u32).range(1..=100))]
     modes: Option<u32>,
     /// Write the parameters of the scene to this file.
-    #[cfg(feature = "legacy")]
     #[arg(long, value_name = "FILE", requires = "ipart", conflicts_with_all = ["vtk", "csv", "parquet", "loads", "nastran", "modes"])]
     indat: Option<PathBuf>,
     /// Write its particles at the start to this file.
-    #[cfg(feature = "legacy")]
     #[arg(long, value_name = "FILE", requires = "indat")]
     ipart: Option<PathBuf>,
 }
@@ -56,7 +52,6 @@ impl From<ExportError> for Stop {
 }
 
 pub(super) fn export(output: &Output, args: &ExportArgs) -> Result<u8, Stop> {
-    #[cfg(feature = "legacy")]
     if let (Some(indat), Some(ipart)) = (&args.indat, &args.ipart) {
         return thesis_files::export(output, &args.target, indat, ipart);
     }

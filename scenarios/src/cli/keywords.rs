@@ -5,10 +5,10 @@ use serde_json::{Value, json};
 use settings::{Keyword, Schema};
 
 use super::shared::{DONE, Output, Stop, say};
+use crate::ditching;
 use crate::reference_page::reference_page;
-use crate::scene::{MATERIALS, WATER_TABLE};
-use crate::spelling::nearest;
-use crate::{ditching, scene};
+use scene::nearest;
+use scene::{MATERIALS, WATER_TABLE};
 
 #[derive(Args)]
 pub(super) struct KeywordsArgs {

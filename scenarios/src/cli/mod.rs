@@ -12,7 +12,6 @@ mod resume;
 mod run;
 mod shared;
 mod sweep;
-#[cfg(feature = "legacy")]
 mod thesis_files;
 mod tips;
 
@@ -79,7 +78,6 @@ enum Command {
     /// Describe every key of scenes and landings, or those that start with a prefix.
     Keywords(keywords::KeywordsArgs),
     /// Make a scene of INDAT and IPART, the files of the solver of 2010.
-    #[cfg(feature = "legacy")]
     Import(thesis_files::ImportArgs),
     /// Write the frames of a run for ParaView or as tables, or a scene as INDAT and IPART.
     Export(export::ExportArgs),
@@ -117,7 +115,6 @@ pub fn execute(arguments: &[OsString], program: &[OsString]) -> u8 {
                 complain(format_args!("{:?}", miette::Report::new(error)));
                 INPUT
             }
-            #[cfg(feature = "legacy")]
             Stop::Line(problem) => {
                 complain(format_args!("error: {problem}"));
                 INPUT
@@ -191,7 +188,6 @@ fn start(cli: &Cli, program: &[OsString]) -> Result<u8, Stop> {
         Command::Validate(args) => experiments::run_validation(output, args),
         Command::Bands(args) => experiments::run_bands(output, args),
         Command::Keywords(args) => keywords::keywords(output, args),
-        #[cfg(feature = "legacy")]
         Command::Import(args) => thesis_files::import(output, args),
         Command::Export(args) => export::export(output, args),
         Command::Schema => keywords::schema(),

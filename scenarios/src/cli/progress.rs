@@ -10,9 +10,12 @@ use std::time::{Duration, Instant};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::shared::{DONE, Output, Stop, complain, say};
-use crate::results::Quantity;
-use crate::run::summary::{Status, Summary};
-use crate::run::{Outcome, RunError, RunOptions};
+use crate::live::LiveView;
+use run::log::{LogError, Viewers};
+use run::results::Quantity;
+use run::summary::{Status, Summary};
+use run::{Outcome, RunError, RunOptions};
+use scene::Scene;
 
 /// A second Ctrl-C or SIGTERM after this time ends the process at once. An earlier one is the same request, sent to the
 /// process and to its group.
@@ -49,11 +52,16 @@ pub(super) fn listen() -> Result<(), Stop> {
     ctrlc::set_handler(handler).map_err(|e| Stop::Failed(format!("cannot listen for Ctrl-C: {e}")))
 }
 
-/// Says where the live view is, when its server listens.
-pub(super) fn live_at(output: &Output, live: Option<SocketAddr>) -> impl Fn(u16) + Sync {
-    move |port| {
-        let address = live.map_or_else(String::new, |address| SocketAddr::new(address.ip(), port).to_string());
+/// Starts the server of a live view, and says where it is.
+pub(super) fn viewers_at(
+    output: &Output,
+    address: SocketAddr,
+) -> impl Fn(&Scene) -> Result<Box<dyn Viewers>, LogError> + Sync {
+    move |scene| {
+        let view = LiveView::start(address, &scene.name)?;
+        let address = SocketAddr::new(address.ip(), view.port());
         output.progress(format_args!("live: connect Foxglove or Lichtblick to ws://{address}"));
+        Ok(Box::new(view))
     }
 }
 

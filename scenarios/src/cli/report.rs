@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::shared::{DONE, Output, Stop, say, write};
-use crate::report::run_page::{self, FigureError, FolderError};
+pub use report::run_page::{self, FigureError, FolderError};
 
 #[derive(Args)]
 pub(super) struct ReportArgs {

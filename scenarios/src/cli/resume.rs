@@ -1,13 +1,14 @@
 //! `splashdown resume`.
 
+use report::page_of_run;
 use settings::significant;
 use std::path::PathBuf;
 
 use clap::Args;
 
-use super::progress::{interval, listen, live_at, step_to_end};
+use super::progress::{interval, listen, step_to_end, viewers_at};
 use super::shared::{LiveArgs, Output, Stop, seconds};
-use crate::run::{Checkpoints, Resumable, RunOptions};
+use run::{Checkpoints, Resumable, RunOptions};
 
 /// Ends over the one before from which one is most likely meant in milliseconds.
 const FAR: f64 = 100.0;
@@ -38,10 +39,10 @@ pub(super) fn resume_run(output: &Output, args: &ResumeArgs) -> Result<u8, Stop>
         run.warnings().iter().for_each(|warning| tracing::warn!("{warning}"));
     }
     listen()?;
-    let live_at = live_at(output, args.live.live);
+    let viewers = args.live.live.map(|address| viewers_at(output, address));
     let options = RunOptions {
-        live: args.live.live,
-        live_at: Some(&live_at),
+        live: viewers.as_ref().map(|start| start as &(dyn Fn(&_) -> _ + Sync)),
+        page: Some(page_of_run),
         checkpoints: Some(Checkpoints { every: every.or(run.checkpoint_interval()) }),
         warnings: run.warnings().to_vec(),
         ..RunOptions::default()

@@ -1,15 +1,17 @@
 //! `splashdown run`.
 
+use report::page_of_run;
 use std::path::PathBuf;
 
 use clap::Args;
 
 use super::experiments::convergence;
-use super::progress::{interval, listen, live_at, step_to_end};
+use super::progress::{interval, listen, step_to_end, viewers_at};
 use super::shared::{LiveArgs, Output, SceneArgs, Stop, load, seconds};
-use crate::error_bar::ErrorBars;
-use crate::run::summary::Summary;
-use crate::run::{Checkpoints, RunOptions, refuse_occupied, run};
+use run::error_bar::ErrorBars;
+use run::folder::refuse_occupied;
+use run::summary::Summary;
+use run::{Checkpoints, RunOptions, run};
 
 #[derive(Args)]
 pub(super) struct RunArgs {
@@ -60,11 +62,11 @@ pub(super) fn run_scene(output: &Output, args: &RunArgs) -> Result<u8, Stop> {
     };
     let studied =
         coarser.as_ref().map(|runs| |summary: &Summary| runs.error_bars(&loaded.scene, summary, &args.quantities));
-    let live_at = live_at(output, args.live.live);
+    let viewers = args.live.live.map(|address| viewers_at(output, address));
     let options = RunOptions {
         out: Some(out.clone()),
-        live: args.live.live,
-        live_at: Some(&live_at),
+        live: viewers.as_ref().map(|start| start as &(dyn Fn(&_) -> _ + Sync)),
+        page: Some(page_of_run),
         force: args.force,
         // the error bars of a study are lost with it: a run with them is not resumed
         checkpoints: (!args.converge).then_some(Checkpoints { every }),

@@ -8,13 +8,12 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Args;
 use serde::Serialize;
-#[cfg(feature = "legacy")]
 use settings::Problem;
 use settings::convert;
 
-use crate::preflight::available_memory;
-use crate::run::RunError;
-use crate::scene::{self, Loaded, SceneError};
+use run::RunError;
+use run::memory::available_memory;
+use scene::{Loaded, SceneError};
 
 /// Exit code: done.
 pub(super) const DONE: u8 = 0;
@@ -128,7 +127,7 @@ pub(super) fn seconds(text: &str) -> Result<f64, String> {
 
 /// Load a scene and refuse one that does not fit in memory.
 pub(super) fn load(args: &SceneArgs) -> Result<Loaded, Stop> {
-    let loaded = scene::load(&args.scene, &args.sets)?;
+    let loaded = run::load(&args.scene, &args.sets)?;
     loaded.fits_in_memory(available_memory())?;
     Ok(loaded)
 }
@@ -137,7 +136,6 @@ pub(super) fn load(args: &SceneArgs) -> Result<Loaded, Stop> {
 pub(super) enum Stop {
     Scene(SceneError),
     /// A line of another file than a scene.
-    #[cfg(feature = "legacy")]
     Line(Box<Problem>),
     Input(String),
     Failed(String),
@@ -148,7 +146,6 @@ impl Stop {
     pub fn to_json(&self) -> serde_json::Value {
         match self {
             Stop::Scene(error) => error.to_json(),
-            #[cfg(feature = "legacy")]
             Stop::Line(problem) => serde_json::json!({
                 "message": problem.sentence, "file": problem.line.as_ref().map(|at| &at.file),
                 "line": problem.line.as_ref().map(|at| at.line), "key": null, "given": problem.given,

@@ -6,9 +6,8 @@ use clap::Args;
 use settings::Problem;
 
 use super::shared::{DONE, Output, SceneArgs, Stop, load, say, write};
-use crate::bounded_text::read_text;
-use crate::scene;
 use crate::thesis_files::{Indat, Ipart, ThesisFileError, files_of, scene_of};
+use scene::read_text;
 
 #[derive(Args)]
 pub(super) struct ImportArgs {
@@ -47,7 +46,7 @@ pub(super) fn import(output: &Output, args: &ImportArgs) -> Result<u8, Stop> {
     let fits = |name: &String| name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_' || c == '-');
     let name = stem.filter(|name| !name.is_empty() && name.len() <= 100 && fits(name)).unwrap_or("imported".into());
     let imported = scene_of(&name, &indat, &ipart, [&names[0], &names[1]])?;
-    scene::load_text("the imported scene", &imported.text, &[])?;
+    run::load_text("the imported scene", &imported.text, &[])?;
     match &args.out {
         None => say(imported.text.trim_end()),
         Some(path) if path.exists() => {

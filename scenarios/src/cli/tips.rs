@@ -3,8 +3,7 @@
 use clap::Command;
 use clap::error::{ContextKind, ContextValue};
 
-use crate::scene;
-use crate::spelling::nearest;
+use scene::nearest;
 
 /// Most keys that a tip names.
 const MOST_KEYS: usize = 3;

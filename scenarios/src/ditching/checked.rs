@@ -6,7 +6,7 @@ use water_entry::ditching::{Aeroplane, Form, Fuselage, FuselageError, Hull, Land
 use super::aeroplane::aeroplane;
 use super::model::{LandingKeys, Scene, StationKeys};
 use super::sea;
-use crate::scene::source::{LARGEST_NUMBER, word};
+use scene::source::{LARGEST_NUMBER, word};
 
 /// Most steps of a run.
 const MOST_STEPS: f64 = 1e6;

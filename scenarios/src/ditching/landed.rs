@@ -13,8 +13,8 @@ use super::loads::{self, Accelerometer, Bent, PartLoad, StationLoad};
 use super::model::Scene;
 use super::sea::{self, Sea};
 use super::series::Series;
-use crate::report::run_page::quantity::digits;
-use crate::run::summary::{Peak, Status};
+use report::run_page::quantity::digits;
+use run::summary::{Peak, Status};
 
 /// What is said of all loads of a landing.
 const NO_BAND: &str = "no band of these loads and accelerations is known: do not design by them";

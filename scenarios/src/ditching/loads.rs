@@ -7,7 +7,7 @@ use water_entry::ditching::{Bending, Landing, LandingState, Masses};
 use super::model::Scene;
 use super::parts::AccelerometerKeys;
 use super::series::Series;
-use crate::run::summary::Peak;
+use run::summary::Peak;
 
 /// Largest accelerations at a place.
 #[derive(Clone, Debug, Serialize)]

@@ -6,7 +6,7 @@
 //!
 //! let landed = ditching::follow(&ditching::load("mercure", &[])?);
 //! assert!(landed.summary.az_g.value > 0.0);
-//! # Ok::<(), scenarios::scene::SceneError>(())
+//! # Ok::<(), scene::SceneError>(())
 //! ```
 //!
 //! A landing is a TOML file of its own kind; [`load`] reads it, [`run`] follows it and writes `series.csv`, `summary.json`,
@@ -34,13 +34,14 @@ use include_dir::{Dir, include_dir};
 use settings::Problem;
 use water_entry::ditching::Wing;
 
-use crate::embedded::texts;
-use crate::run::{RunError, refuse_files, write};
-use crate::scene::SceneError;
-use crate::scene::draft::Draft;
-use crate::scene::mistaken_file::Expected;
-use crate::scene::source::Source;
 use checked::checked;
+use run::RunError;
+use run::folder::{refuse_files, write};
+use scene::SceneError;
+use scene::draft::Draft;
+use scene::mistaken_file::Expected;
+use scene::source::Source;
+use scene::texts;
 
 pub use landed::{Landed, Structure, Summary, follow};
 pub use loads::{Accelerometer, PartLoad, StationLoad};

@@ -4,12 +4,12 @@ use super::landed::{Landed, Structure, seconds};
 use super::loads::StationLoad;
 use super::model::Scene;
 use super::side_views::side_views;
-use crate::report::run_page::folded;
-use crate::report::run_page::quantity::{Unit, digits, with_unit};
-use crate::report::{
+use report::run_page::folded;
+use report::run_page::quantity::{Unit, digits, with_unit};
+use report::{
     Block, Card, Chart, Curve, Lead, Mark, Table, Tone, escape, hint_html, lead_html, page as html_page, row,
 };
-use crate::run::summary::{Peak, Status};
+use run::summary::{Peak, Status};
 
 /// What stands beside accelerations.
 const MEASURED: &str = "model tests: see what the loads leave out";

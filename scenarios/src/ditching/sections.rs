@@ -8,9 +8,10 @@ use water_entry::ditching::{Form, Hull, ImpactingPart, SectionLoad};
 use super::checked::hull;
 use super::landed::Landed;
 use super::model::Scene;
-use crate::run::summary::Status;
-use crate::run::{RunError, RunOptions, run};
-use crate::scene::{SceneError, load_text};
+use run::load_text;
+use run::summary::Status;
+use run::{RunError, RunOptions, run};
+use scene::SceneError;
 
 /// Particle spacings over the breadth of a section, at least.
 const SPACINGS: f64 = 200.0;
@@ -64,7 +65,10 @@ impl SectionScene {
     /// Run it, with its files in a folder.
     pub fn run(&self, out: PathBuf, force: bool) -> Result<SectionResult, SectionError> {
         let loaded = load_text(&format!("{}.toml", self.name), &self.text, &[])?;
-        let done = run(&loaded.scene, &RunOptions { out: Some(out), force, ..RunOptions::default() })?;
+        let done = run(
+            &loaded.scene,
+            &RunOptions { out: Some(out), force, page: Some(report::page_of_run), ..RunOptions::default() },
+        )?;
         if let (Status::Failed, Some(why)) = (done.summary.status, &done.summary.message) {
             return Err(SectionError::Ended(self.name.clone(), why.clone()));
         }

@@ -5,8 +5,8 @@ use water_entry::ditching::{Fuselage, LandingState, Swell};
 use super::checked::hull;
 use super::landed::{Landed, seconds};
 use super::model::Scene;
-use crate::report::run_page::quantity::{Unit, digits};
-use crate::report::{Block, LandingScales, LandingView, landing_view_svg};
+use report::run_page::quantity::{Unit, digits};
+use report::{Block, LandingScales, LandingView, landing_view_svg};
 
 /// Points along the keel.
 const POINTS: usize = 120;

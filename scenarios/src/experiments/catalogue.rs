@@ -8,8 +8,8 @@ use include_dir::Dir;
 use serde::de::DeserializeOwned;
 
 use super::ExperimentError;
-use crate::bounded_text::read_text;
-use crate::embedded;
+use scene::embedded;
+use scene::read_text;
 
 /// A case of an experiment.
 pub trait Case: Clone + DeserializeOwned {

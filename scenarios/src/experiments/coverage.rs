@@ -10,8 +10,8 @@ use super::convergence::coarser_runs;
 use super::runs::{run_to_end, scene_with};
 use super::validation::{Case, Expect};
 use super::{ExperimentError, yes};
-use crate::error_bar::ErrorBar;
-use crate::report::{Table, known};
+use report::{Table, known};
+use run::error_bar::ErrorBar;
 
 static FOLDER: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/cases/bands");
 

@@ -1,7 +1,7 @@
 //! Why an experiment cannot be made.
 
-use crate::run::RunError;
-use crate::scene::SceneError;
+use run::RunError;
+use scene::SceneError;
 
 /// An experiment that cannot be made.
 #[derive(Debug, thiserror::Error)]

@@ -4,10 +4,10 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
 use super::ExperimentError;
-use crate::numbers::Numbers;
-use crate::run::summary::Summary;
-use crate::run::{self, RunOptions};
-use crate::scene::{self, Scene, SceneError};
+use run::numbers::Numbers;
+use run::summary::Summary;
+use run::{self, RunOptions};
+use scene::{Scene, SceneError};
 
 /// A run that has ended.
 pub struct RunRecord {
@@ -34,7 +34,7 @@ impl RunRecord {
 /// # Errors
 /// The scene is wrong.
 pub fn scene_with(scene: &str, sets: &[String], further: &[String]) -> Result<Scene, SceneError> {
-    Ok(scene::load(scene, &[sets, further].concat())?.scene)
+    Ok(run::load(scene, &[sets, further].concat())?.scene)
 }
 
 /// Run a scene to its end, without files.

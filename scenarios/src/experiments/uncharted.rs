@@ -4,9 +4,9 @@
 use super::coverage::Line;
 use super::runs::{run_to_end, scene_with};
 use super::{ExperimentError, yes};
-use crate::compare::similarity_of;
-use crate::report::Table;
-use crate::scene::{SceneError, jet_reach};
+use report::Table;
+use run::compare::similarity_of;
+use scene::{SceneError, jet_reach};
 
 /// Range of deadrise [deg], of speeds [m/s] and of spacings in the draught [-] that cases are drawn from.
 const DEADRISE: [f64; 2] = [10.5, 44.5];
@@ -58,7 +58,7 @@ pub fn cover(sets: &[String]) -> Result<Vec<Line>, ExperimentError> {
     let run = run_to_end(&scene)?;
     let Some(exact) = similarity_of(&scene) else { return Ok(Vec::new()) };
     let of = |path: &str| if path.ends_with("cp_max") { exact.cp_max } else { exact.force_coefficient };
-    let line = |(path, bar): (&String, &crate::error_bar::ErrorBar)| Line {
+    let line = |(path, bar): (&String, &run::error_bar::ErrorBar)| Line {
         case: sets.join(" "),
         path: path.clone(),
         exact: of(path),

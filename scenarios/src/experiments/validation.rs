@@ -11,9 +11,9 @@ use serde::{Deserialize, Serialize};
 use super::catalogue::{self, Catalogue};
 use super::runs::RunRecord;
 use super::{ExperimentError, yes};
-use crate::report::{Column, Table};
-use crate::run::{self, RunOptions};
-use crate::scene::{self, Scene};
+use report::{Column, Table};
+use run::{self, RunOptions};
+use scene::Scene;
 
 static FOLDER: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/cases/validation");
 
@@ -150,8 +150,14 @@ pub fn validate(case: &Case, out: Option<&PathBuf>) -> Result<Vec<Line>, Experim
 }
 
 fn run_with(case: &Case, further: &[String], out: Option<PathBuf>) -> Result<(Scene, RunRecord), ExperimentError> {
-    let loaded = scene::load(&case.scene, &[&case.set, further].concat())?;
-    let options = RunOptions { out, force: true, warnings: loaded.warnings, ..RunOptions::default() };
+    let loaded = run::load(&case.scene, &[&case.set, further].concat())?;
+    let options = RunOptions {
+        out,
+        force: true,
+        page: Some(report::page_of_run),
+        warnings: loaded.warnings,
+        ..RunOptions::default()
+    };
     let summary = run::run(&loaded.scene, &options)?.summary;
     Ok((loaded.scene, RunRecord::new(summary)))
 }

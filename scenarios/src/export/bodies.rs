@@ -1,7 +1,7 @@
 //! The bodies of all frames as a table: `bodies.csv`, `bodies.parquet`.
 
 use crate::data_table::DataTable;
-use crate::log::LoggedFrame;
+use run::log::LoggedFrame;
 
 /// Rows of frame, time [s], name, position [m] and angle [deg].
 #[derive(Default)]
@@ -12,7 +12,7 @@ pub(super) struct BodyRows {
 impl BodyRows {
     /// Add the bodies of a frame.
     pub fn take(&mut self, number: usize, frame: &LoggedFrame) {
-        let row = |body: &crate::log::LoggedBody| {
+        let row = |body: &run::log::LoggedBody| {
             (number, frame.time, body.name.clone(), body.position, body.angle.to_degrees())
         };
         self.rows.extend(frame.bodies.iter().map(row));

@@ -2,7 +2,7 @@
 
 use std::io;
 
-use crate::log::LoggedFrame;
+use run::log::LoggedFrame;
 
 /// Writes frames into a folder.
 pub(super) trait FrameWriter {

@@ -78,7 +78,7 @@ impl PanelLoads<'_> {
     /// Forces and moments on the nodes: a row per sample.
     fn over_time(&self) -> DataTable {
         let mut table = self.times();
-        for (k, name) in crate::observers::load_names(self.model.nodes.len()).into_iter().enumerate() {
+        for (k, name) in run::observers::load_names(self.model.nodes.len()).into_iter().enumerate() {
             table.numbers(name, self.loads.iter().map(|loads| Some(loads[k / 3][k % 3])));
         }
         table

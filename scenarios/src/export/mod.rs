@@ -20,11 +20,11 @@ mod vtk;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use crate::bounded_text::read_text;
-use crate::log::LogReader;
 use frame_writer::FrameWriter;
 pub use modes::{ExportedModes, export_modes};
 pub use panels::{ExportedPanels, PanelFormat, export_panels};
+use run::log::LogReader;
+use scene::read_text;
 
 /// A format of frames.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -8,7 +8,7 @@ use structure_fe::Damping;
 use super::panels::scene_of;
 use super::structure::PanelModel;
 use super::{ExportError, loads_missing};
-use crate::scene::{MILLIMETRE, Modes, NaturalMode, line};
+use scene::{MILLIMETRE, Modes, NaturalMode, line};
 
 /// What was written.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -5,8 +5,8 @@ use std::io;
 use std::path::Path;
 
 use super::loads::PanelLoads;
-use crate::nastran::cards::Value::{Blank, Real, Whole, Word};
-use crate::nastran::cards::{Value, comment, written};
+use scene::nastran::cards::Value::{Blank, Real, Whole, Word};
+use scene::nastran::cards::{Value, comment, written};
 
 /// Numbers of the sets of loads, after that of the panel: pressures, forces of an instant, loads over time; then one per load.
 const PRESSURES: i64 = 1;
@@ -51,7 +51,7 @@ impl PanelLoads<'_> {
             ],
         );
         let mut all = vec![Whole(set), Real(1.0)];
-        for (k, name) in crate::observers::load_names(self.model.nodes.len()).iter().enumerate() {
+        for (k, name) in run::observers::load_names(self.model.nodes.len()).iter().enumerate() {
             let (node, component) = (k / 3, [1, 2, 6][k % 3]);
             let values: Vec<f64> = self.loads[first..].iter().map(|loads| loads[node][k % 3]).collect();
             if values.iter().all(|value| *value == 0.0) {
@@ -119,9 +119,9 @@ impl PanelLoads<'_> {
 mod tests {
     use super::super::structure::PanelModel;
     use super::*;
-    use crate::nastran::cards::{cards, rewritten};
-    use crate::nastran::model::BeamModel;
-    use crate::scene::load;
+    use run::load;
+    use scene::nastran::cards::{cards, rewritten};
+    use scene::nastran::model::BeamModel;
 
     /// Every card of the three files is read back and written again to the same text.
     #[test]

@@ -7,10 +7,11 @@ use serde_json::Value;
 use super::loads::PanelLoads;
 use super::structure::PanelModel;
 use super::{ExportError, loads_missing, time_of_run};
-use crate::bounded_text::read_text;
-use crate::log::read_samples;
-use crate::observers::{LOADS, load_names};
-use crate::scene::{Scene, load};
+use run::load;
+use run::log::read_samples;
+use run::observers::{LOADS, load_names};
+use scene::Scene;
+use scene::read_text;
 
 /// A form of the loads on panels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use super::bodies::BodyRows;
 use super::frame_writer::FrameWriter;
 use crate::data_table::{Cells, DataTable, ParquetFile};
-use crate::log::{LoggedFrame, Point};
+use run::log::{LoggedFrame, Point};
 
 pub(super) struct ParquetWriter {
     fluid: ParquetFile,

@@ -3,8 +3,8 @@
 use fsi_coupling::PanelEnd;
 use structure_fe::{Element, Theory};
 
-use crate::nastran::model::{Bar, BeamModel, Constraint, Grid, Isotropic, Orientation, Property};
-use crate::scene::{Panel, Scene, line};
+use scene::nastran::model::{Bar, BeamModel, Constraint, Grid, Isotropic, Orientation, Property};
+use scene::{Panel, Scene, line};
 
 /// Numbers of the cards of a panel begin with its place among the panels times this.
 pub(super) const NUMBERS: i64 = 100_000;

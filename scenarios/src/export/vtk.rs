@@ -5,7 +5,7 @@ use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 use super::frame_writer::FrameWriter;
-use crate::log::{LoggedFrame, Point};
+use run::log::{LoggedFrame, Point};
 
 /// Groups of files, each with a collection of its own.
 const GROUPS: [&str; 3] = ["fluid", "walls", "bodies"];

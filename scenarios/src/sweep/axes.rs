@@ -5,7 +5,7 @@ use toml::{Spanned, Value};
 
 use super::latin_hypercube::latin_hypercube;
 use super::toml_reader::{Entry, TomlReader};
-use crate::scene::SceneError;
+use scene::SceneError;
 
 /// Most values of an axis, samples of a hypercube, and points of a sweep.
 pub(super) const MOST_POINTS: usize = 100_000;

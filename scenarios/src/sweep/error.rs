@@ -3,7 +3,7 @@
 use std::io;
 use std::path::Path;
 
-use crate::scene::SceneError;
+use scene::SceneError;
 
 /// Why a sweep cannot be made.
 #[derive(Debug, thiserror::Error)]

@@ -9,11 +9,11 @@ use toml::Value;
 use super::axes::{Block, MOST_POINTS, grid, hypercube, product, zip};
 use super::error::SweepError;
 use super::toml_reader::{Entry, TomlReader};
-use crate::bounded_text::read_text;
-use crate::scene::SceneError;
-use crate::scene::mistaken_file::{Expected, refuse_other_kind};
-use crate::scene::source::segments;
-use crate::{ditching, scene};
+use crate::ditching;
+use scene::SceneError;
+use scene::mistaken_file::{Expected, refuse_other_kind};
+use scene::read_text;
+use scene::source::segments;
 
 /// What a point is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]

@@ -12,8 +12,9 @@ use serde_json::Value;
 
 use super::error::SweepError;
 use super::plan::{Plan, Task};
-use crate::bounded_text::read_text;
-use crate::run::{RunError, refuse_occupied};
+use run::RunError;
+use run::folder::refuse_occupied;
+use scene::read_text;
 
 /// A process that only looks at a lock holds it for less than this.
 const PATIENCE: Duration = Duration::from_millis(150);

@@ -1,7 +1,7 @@
 //! A function of two variables as a field of colours, with the points that it was fitted to.
 
-use crate::report::run_page::quantity::digits;
-use crate::report::{Axis, escape, viridis};
+use report::run_page::quantity::digits;
+use report::{Axis, escape, viridis};
 
 /// A field of colours.
 pub(super) struct HeatMap<'a> {

@@ -11,7 +11,7 @@ use siphasher::sip128::{Hasher128, SipHasher13};
 use super::error::SweepError;
 use super::file::{Kind, SCENE_AXIS, SweepFile, assignment};
 use crate::ditching;
-use crate::scene::{self, Loaded, SceneError};
+use scene::{Loaded, SceneError};
 
 /// What the process of a point is given.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -36,7 +36,7 @@ impl Task {
     /// The resolved scene.
     pub(super) fn resolve(&self) -> Result<Resolved, SceneError> {
         Ok(match self.kind {
-            Kind::Run => Resolved::Scene(Box::new(scene::load(&self.scene, &self.sets)?)),
+            Kind::Run => Resolved::Scene(Box::new(run::load(&self.scene, &self.sets)?)),
             Kind::Ditch => Resolved::Landing(Box::new(ditching::load(&self.scene, &self.sets)?)),
         })
     }

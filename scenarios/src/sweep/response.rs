@@ -1,6 +1,6 @@
 //! Quadratic response surfaces: y = c₀ + Σ cᵢ uᵢ + Σ cᵢⱼ uᵢ uⱼ by least squares, uᵢ from −1 to 1 over the points.
 
-use crate::power_law::least_squares;
+use run::power_law::least_squares;
 
 /// A response surface.
 #[derive(Clone, Debug)]

@@ -6,8 +6,8 @@ use super::response::Response;
 use super::table::plain;
 use super::trends::{charted, numeric_axes};
 use super::words::{Quantity, axis_label, axis_value, inside};
-use crate::report::run_page::quantity::digits;
-use crate::report::{Block, Table};
+use report::run_page::quantity::digits;
+use report::{Block, Table};
 
 /// Most pairs of axes that are drawn.
 const MOST_PAIRS: usize = 3;

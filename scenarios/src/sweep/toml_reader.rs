@@ -8,8 +8,8 @@ use settings::Problem;
 use toml::de::{DeTable, DeValue};
 use toml::{Spanned, Value};
 
-use crate::scene::SceneError;
-use crate::scene::source::LARGEST_NUMBER;
+use scene::SceneError;
+use scene::source::LARGEST_NUMBER;
 
 /// A file's name and text.
 pub(super) struct TomlReader<'a> {

@@ -5,8 +5,8 @@ use serde_json::Value;
 use super::collect::{Collected, Number, PointResult};
 use super::response::extent;
 use super::words::{Quantity, axis_label, axis_value};
-use crate::report::run_page::in_words;
-use crate::report::{Block, CATEGORIES, Chart, Curve, Mark, Paint, Rgb, TrendLine};
+use report::run_page::in_words;
+use report::{Block, CATEGORIES, Chart, Curve, Mark, Paint, Rgb, TrendLine};
 
 /// Most quantities and axes that are drawn.
 const MOST_QUANTITIES: usize = 8;

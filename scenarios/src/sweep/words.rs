@@ -7,10 +7,10 @@ use super::collect::{BEYOND, Collected, Number, PointResult};
 use super::file::SCENE_AXIS;
 use super::plan::Axis;
 use super::table::plain;
-use crate::report::run_page::quantity::{Unit, column, digits, result};
-use crate::report::run_page::{in_words as verdict_in_words, two_digits};
-use crate::report::{COARSE, Tone};
-use crate::results::is_withheld;
+use report::run_page::quantity::{Unit, column, digits, result};
+use report::run_page::{in_words as verdict_in_words, two_digits};
+use report::{COARSE, Tone};
+use run::results::is_withheld;
 
 /// A quantity in words, in a unit that suits its largest value.
 #[derive(Clone, Debug, PartialEq)]

@@ -7,9 +7,9 @@ use super::error::SweepError;
 use super::folder::{Outcome, PointFolder, SweepFolder};
 use super::plan::Resolved;
 use crate::ditching;
-use crate::run::summary::Status;
-use crate::run::{Checkpoints, Resumable, RunError, RunOptions, run};
-use crate::scene::Loaded;
+use run::summary::Status;
+use run::{Checkpoints, Resumable, RunError, RunOptions, run};
+use scene::Loaded;
 
 /// Run a point of a planned sweep; an interrupted one keeps no outcome, so that it runs again: from its checkpoint, where it has one.
 ///
@@ -73,6 +73,7 @@ fn run_scene(
         return Err(SweepError::Failed(error.to_string()));
     }
     let options = RunOptions {
+        page: Some(report::page_of_run),
         out: Some(point.path().to_path_buf()),
         force: true,
         interrupt: Some(interrupt),

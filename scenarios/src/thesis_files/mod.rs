@@ -37,5 +37,5 @@ fn wrong(file: &str, line: usize, given: impl Into<String>, expected: impl Into<
 /// A number as Fortran writes it, 1.0D-3 too.
 fn number(text: &str) -> Option<f64> {
     let plain = text.replace(['d', 'D'], "e");
-    plain.parse().ok().filter(|value: &f64| value.is_finite() && value.abs() <= crate::scene::source::LARGEST_NUMBER)
+    plain.parse().ok().filter(|value: &f64| value.is_finite() && value.abs() <= scene::source::LARGEST_NUMBER)
 }

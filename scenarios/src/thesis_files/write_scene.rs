@@ -5,9 +5,9 @@ use sph_core::legacy::EquationOfState;
 use sph_core::{DensityFilter, Integrator, Kernel, Turbulence, WallModel};
 
 use super::{Indat, Ipart, Particle};
-use crate::build::build;
-use crate::scene::Scene;
-use crate::scene::keys::{Lattice, Symmetry, WeaklyCompressibleFluid};
+use run::build::build;
+use scene::Scene;
+use scene::keys::{Lattice, Symmetry, WeaklyCompressibleFluid};
 
 /// Both files of a scene at its start, and what of the scene they cannot say.
 ///

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
 
-use scenarios::nastran::model::BeamModel;
+use scene::nastran::model::BeamModel;
 use serde_json::Value;
 use temp_dir::TempDir;
 
@@ -43,7 +43,7 @@ fn exported() -> TempDir {
 }
 
 fn scene_of_bars(keys: &str) -> String {
-    let scene = include_str!("../../scenes/flexible_wedge.toml");
+    let scene = include_str!("../../scene/scenes/flexible_wedge.toml");
     let (start, end) = (scene.find("from = ").expect("a panel"), scene.find("watch = ").expect("places"));
     format!("{}{keys}\n{}", &scene[..start], &scene[end..])
 }
@@ -104,7 +104,7 @@ fn a_curved_panel_comes_back_too() {
     splashdown(at, &[&["run", name, "--out", "plate"][..], &sets].concat());
     splashdown(at, &["export", "plate", "--nastran", "--quiet"]);
     fs::copy(at.join("plate/nastran/bottom.bdf"), at.join("bottom.bdf")).expect("a copy");
-    let scene = include_str!("../../scenes/fuselage_flexible.toml");
+    let scene = include_str!("../../scene/scenes/fuselage_flexible.toml");
     let (start, end) = (scene.find("from = ").expect("a panel"), scene.find("watch = ").expect("places"));
     let text = format!("{}structure_file = \"bottom.bdf\"\n{}", &scene[..start], &scene[end..]);
     fs::write(at.join("bars.toml"), text).expect("a scene");
@@ -163,7 +163,7 @@ fn a_panel_comes_back_as_its_modes() {
     splashdown(at, &["export", "plate", "--modes", "30"]);
     let written = read(at.join("plate/modes/plate.toml"));
     fs::write(at.join("modes.toml"), &written).expect("a copy");
-    let scene = include_str!("../../scenes/flexible_wedge.toml");
+    let scene = include_str!("../../scene/scenes/flexible_wedge.toml");
     let body = &scene[..scene.find("[[body.panels]]").expect("a panel")];
     fs::write(at.join("modal.toml"), format!("{body}modes_file = \"modes.toml\"\n")).expect("a scene");
     let told = json(at, &[&["check", "modal.toml"][..], &SHORT].concat());
@@ -192,7 +192,7 @@ fn a_curved_panel_is_watched_where_it_was() {
         let sets = ["--quiet", "--set", &spacing, "--set", "time.end=0.004", "--set", "time.sample_every=0.0002"];
         splashdown(at, &[&["run", "fuselage_flexible", "--out", "own"][..], &sets].concat());
         splashdown(at, &["export", "own", "--nastran"]);
-        let scene = include_str!("../../scenes/fuselage_flexible.toml");
+        let scene = include_str!("../../scene/scenes/fuselage_flexible.toml");
         let panel = &scene[scene.find("[[body.panels]]").expect("a panel")..];
         let name = panel.lines().find_map(|line| line.strip_prefix("name = ")).expect("a name").trim_matches('"');
         fs::copy(at.join(format!("own/nastran/{name}.bdf")), at.join("panel.bdf")).expect("a copy");

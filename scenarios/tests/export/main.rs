@@ -5,17 +5,16 @@ use std::path::Path;
 
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::RowAccessor;
+use run::log::{IMAGE, LogReader};
+use run::{RunOptions, run};
 use scenarios::export::{ExportError, FrameFormat, export_frames};
-use scenarios::log::{IMAGE, LogReader};
-use scenarios::run::{RunOptions, run};
-use scenarios::scene;
 use temp_dir::TempDir;
 
 /// A short run of the wedge.
 fn folder() -> TempDir {
     let folder = TempDir::new().expect("a folder");
     let sets = ["resolution.spacing=0.02", "time.end=0.004", "time.frame_every=0.002", "compare=[]"].map(String::from);
-    let scene = scene::load("wedge", &sets).expect("a built-in scene").scene;
+    let scene = run::load("wedge", &sets).expect("a built-in scene").scene;
     let options = RunOptions { out: Some(folder.path().join("run")), ..RunOptions::default() };
     run(&scene, &options).expect("a run");
     folder

@@ -8,7 +8,7 @@ mod refused;
 mod same_as_scene;
 
 use fsi_coupling::embed::HostNodes;
-use scenarios::host::{HostedRun, HostedScene, Interface};
+use run::host::{HostedRun, HostedScene, Interface};
 
 /// A wedge in a small tank.
 const SMALL: [&str; 4] = ["resolution.spacing=0.02", "tank.width=1.6", "tank.depth=0.6", "time.end=0.01"];

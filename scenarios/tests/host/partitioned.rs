@@ -4,8 +4,7 @@
 #[path = "../../examples/partitioned.rs"]
 mod example;
 
-use scenarios::run::{RunOptions, run};
-use scenarios::scene;
+use run::{RunOptions, run};
 
 /// A wedge of half a kilogram per metre: by repetition of the exchange the two agree late or never, by IQN-ILS within a few iterations, and
 /// the motion is that of the scene's own coupling.
@@ -25,8 +24,7 @@ fn a_light_wedge_agrees_with_its_water_by_iqn_ils() {
     let (_, plain) = example::couple(&sets, false).expect("steps");
     assert!(mean(&plain) > 2.0 * mean(&iterations), "{plain:?}");
 
-    let series =
-        run(&scene::load("wedge", &sets).expect("a scene").scene, &RunOptions::default()).expect("a run").series;
+    let series = run(&run::load("wedge", &sets).expect("a scene").scene, &RunOptions::default()).expect("a run").series;
     let (times, velocities) = (series.times(), series.column("wedge.vy_m_per_s").expect("a velocity"));
     let mut compared = 0;
     for (time, velocity) in times.iter().zip(&velocities) {

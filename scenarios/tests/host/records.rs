@@ -22,7 +22,10 @@ fn summary(dir: &Path) -> Value {
 }
 
 fn recorded(case: Case, dir: &Path, tries: bool) {
-    let scene = case.open(&["time.sample_every=2e-4", "time.frame_every=1e-3"]).recording(dir.to_owned(), false);
+    let scene = case
+        .open(&["time.sample_every=2e-4", "time.frame_every=1e-3"])
+        .recording(dir.to_owned(), false)
+        .with_page(report::page_of_run);
     let start = scene.nodes().clone();
     let mut run = scene.build(&start).expect("water");
     for step in 1..=20 {
@@ -59,7 +62,7 @@ fn rejected_steps_are_not_in_the_records() {
 fn a_failed_run_has_a_summary_that_tells_why() {
     let folder = TempDir::new().expect("a folder");
     let dir = folder.path().join("failed");
-    let scene = CASES[0].open(&[]).recording(dir.clone(), false);
+    let scene = CASES[0].open(&[]).recording(dir.clone(), false).with_page(report::page_of_run);
     let start = scene.nodes().clone();
     let mut run = scene.build(&start).expect("water");
     stepped(&mut run, &start, DT, DT);
@@ -71,8 +74,8 @@ fn a_failed_run_has_a_summary_that_tells_why() {
         run.contribute(DT, &nodes, &mut forces).err()
     });
     let error = broken.expect("the body meets the floor");
-    assert_eq!(error.kind(), scenarios::host::ErrorKind::Step, "{error}");
-    assert_eq!(run.contribute(DT, &nodes, &mut forces).unwrap_err().kind(), scenarios::host::ErrorKind::Failed);
+    assert_eq!(error.kind(), run::host::ErrorKind::Step, "{error}");
+    assert_eq!(run.contribute(DT, &nodes, &mut forces).unwrap_err().kind(), run::host::ErrorKind::Failed);
     run.finish().expect("records");
     let summary = summary(&dir);
     assert_eq!(summary["status"], "failed");
@@ -87,7 +90,7 @@ fn a_failed_run_has_a_summary_that_tells_why() {
 fn a_hosted_run_that_did_not_end_is_told_as_one() {
     let folder = TempDir::new().expect("a folder");
     let dir = folder.path().join("dropped");
-    let scene = CASES[0].open(&["time.sample_every=2e-4"]).recording(dir.clone(), false);
+    let scene = CASES[0].open(&["time.sample_every=2e-4"]).recording(dir.clone(), false).with_page(report::page_of_run);
     let start = scene.nodes().clone();
     let mut run = scene.build(&start).expect("water");
     (1..=10).for_each(|step| drop(stepped(&mut run, &start, f64::from(step) * DT, DT)));
@@ -108,7 +111,7 @@ fn a_hosted_report_is_about_the_hosts_motion() {
     let folder = TempDir::new().expect("a folder");
     let (slow, expected) = (folder.path().join("slow"), folder.path().join("expected"));
     for (dir, share) in [(&slow, 0.3), (&expected, 1.0)] {
-        let scene = CASES[0].open(&[]).recording(dir.clone(), false);
+        let scene = CASES[0].open(&[]).recording(dir.clone(), false).with_page(report::page_of_run);
         let mut start = scene.nodes().clone();
         start.velocity[0][1] *= share;
         let mut run = scene.build(&start).expect("water");
@@ -147,7 +150,7 @@ fn a_full_disk_ends_the_records_and_not_the_run() {
 fn full() {
     let folder = TempDir::new().expect("a folder");
     let often = ["time.sample_every=1e-4", "time.frame_every=1e-4"];
-    let scene = CASES[0].open(&often).recording(folder.path().join("run"), false);
+    let scene = CASES[0].open(&often).recording(folder.path().join("run"), false).with_page(report::page_of_run);
     let start = scene.nodes().clone();
     let mut recorded = scene.build(&start).expect("water");
     let (mut plain, _) = CASES[0].build(&often);
@@ -163,6 +166,6 @@ fn full() {
         assert_eq!(take(&mut recorded), take(&mut plain), "step {step}");
     }
     let error = recorded.finish().err().expect("a full disk");
-    assert_eq!(error.kind(), scenarios::host::ErrorKind::File, "{error}");
+    assert_eq!(error.kind(), run::host::ErrorKind::File, "{error}");
     assert!(error.to_string().contains("log.mcap"), "{error}");
 }

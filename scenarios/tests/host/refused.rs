@@ -1,6 +1,6 @@
 //! Input that is refused, with what was given and what was expected; nothing changes.
 
-use scenarios::host::{ErrorKind, HostedError};
+use run::host::{ErrorKind, HostedError};
 
 use super::*;
 

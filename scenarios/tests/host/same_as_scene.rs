@@ -1,7 +1,6 @@
 //! A host that moves a body as a scene does has the scene's force.
 
-use scenarios::run::{RunOptions, run};
-use scenarios::scene;
+use run::{RunOptions, run};
 
 use super::*;
 
@@ -52,7 +51,7 @@ fn a_turning_body_starts_with_the_velocity_of_its_centre_of_mass() {
         .iter()
         .map(ToString::to_string)
         .collect();
-    let scene = scene::load("wedge", &sets).expect("a scene").scene;
+    let scene = run::load("wedge", &sets).expect("a scene").scene;
     let series = run(&scene, &RunOptions::default()).expect("a run").series;
     let column = |name: &str| series.column(name).expect("a column");
     let (x, y, angle) = (column("wedge.x_m"), column("wedge.y_m"), column("wedge.angle_deg"));

@@ -7,8 +7,10 @@ use std::time::{Duration, Instant};
 
 use foxglove::Decode;
 use foxglove::messages::PointCloud;
-use scenarios::run::{RunOptions, run};
-use scenarios::scene::{self, Scene};
+use run::log::Viewers;
+use run::{RunOptions, run};
+use scenarios::live::LiveView;
+use scene::Scene;
 use serde_json::Value;
 use tungstenite::client::IntoClientRequest;
 use tungstenite::{Message, WebSocket};
@@ -20,7 +22,7 @@ const PATIENCE: Duration = Duration::from_secs(60);
 
 fn wedge(time_end: &str) -> Scene {
     let sets = ["resolution.spacing=0.02", time_end, "compare=[]"].map(String::from);
-    scene::load("wedge", &sets).expect("a built-in scene").scene
+    run::load("wedge", &sets).expect("a built-in scene").scene
 }
 
 /// A viewer that has subscribed to the fluid of a run.
@@ -61,9 +63,12 @@ fn picture(socket: &mut WebSocket<TcpStream>) -> Option<(u64, PointCloud)> {
 fn watched(scene: &Scene, watch: impl Fn(u16) + Sync) -> Vec<f64> {
     let port = AtomicU16::new(0);
     std::thread::scope(|threads| {
-        let tell = |at: u16| port.store(at, Ordering::Release);
-        let options =
-            RunOptions { live: Some(([127, 0, 0, 1], 0).into()), live_at: Some(&tell), ..RunOptions::default() };
+        let start = |scene: &Scene| {
+            let view = LiveView::start(([127, 0, 0, 1], 0).into(), &scene.name)?;
+            port.store(view.port(), Ordering::Release);
+            Ok(Box::new(view) as Box<dyn Viewers>)
+        };
+        let options = RunOptions { live: Some(&start), ..RunOptions::default() };
         let watch = &watch;
         let port = &port;
         let viewer = threads.spawn(move || {
@@ -121,7 +126,8 @@ fn a_viewer_that_stalls_does_not_disturb() {
 fn an_address_that_is_taken_is_refused_by_name() {
     let taken = std::net::TcpListener::bind("127.0.0.1:0").expect("a port");
     let address = taken.local_addr().expect("an address");
-    let options = RunOptions { live: Some(address), ..RunOptions::default() };
+    let start = |scene: &Scene| Ok(Box::new(LiveView::start(address, &scene.name)?) as Box<dyn Viewers>);
+    let options = RunOptions { live: Some(&start), ..RunOptions::default() };
     let error = run(&wedge("time.end=0.001"), &options).err().expect("an error");
     assert!(error.is_input());
     let error = error.to_string();

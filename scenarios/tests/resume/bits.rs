@@ -98,7 +98,6 @@ fn incompressible_water() {
     ]);
 }
 
-#[cfg(feature = "legacy")]
 #[test]
 fn schemes_of_2010() {
     let of = |sets: &[&str]| {

@@ -3,8 +3,8 @@
 use std::fs;
 use std::path::Path;
 
-use scenarios::run::{Checkpoints, Resumable, RunOptions, run};
-use scenarios::scene::Scene;
+use run::{Checkpoints, Resumable, RunOptions, run};
+use scene::Scene;
 use temp_dir::TempDir;
 
 use super::{assert_same, complete, resumed, scene_of};
@@ -46,7 +46,7 @@ fn an_impact_goes_on_deeper() {
 /// A resolved scene is read back as it was, whatever it has: the checkpoint knows it by its text.
 #[test]
 fn every_resolved_scene_is_read_back() {
-    for (name, _) in scenarios::scene::builtin() {
+    for (name, _) in scene::builtin() {
         let text = scene_of(name, &[]).to_toml();
         let back = Scene::from_toml(&text).unwrap_or_else(|error| panic!("{name}: {error}"));
         assert_eq!(back.to_toml(), text, "{name}");

@@ -8,9 +8,9 @@ mod refused;
 use std::fs;
 use std::path::Path;
 
-use scenarios::run::summary::Status;
-use scenarios::run::{Checkpoints, Resumable, RunOptions, run};
-use scenarios::scene::{self, Scene};
+use run::summary::Status;
+use run::{Checkpoints, Resumable, RunOptions, run};
+use scene::Scene;
 use serde_json::Value;
 use sph_core::parallel::on_threads;
 use temp_dir::TempDir;
@@ -20,7 +20,7 @@ const VOLATILE: [&str; 4] = ["wall_time_s", "particle_updates_per_s", "threads",
 
 fn scene_of(name: &str, sets: &[&str]) -> Scene {
     let sets: Vec<String> = sets.iter().map(ToString::to_string).collect();
-    scene::load(name, &sets).unwrap_or_else(|error| panic!("{name} {sets:?}: {error:?}")).scene
+    run::load(name, &sets).unwrap_or_else(|error| panic!("{name} {sets:?}: {error:?}")).scene
 }
 
 /// At its end time, or at a rupture.

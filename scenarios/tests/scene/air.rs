@@ -1,6 +1,7 @@
 //! Air under flat bottoms and vapour: what the program chooses, and what it says.
 
-use scenarios::scene::{Scene, load};
+use run::load;
+use scene::Scene;
 
 use super::sets;
 

@@ -1,6 +1,6 @@
 //! Files that the guide shows are accepted as they stand.
 
-use scenarios::scene::load;
+use run::load;
 use temp_dir::TempDir;
 
 const EXCHANGE: &str = include_str!("../../../docs/src/guide/exchange.md");
@@ -16,7 +16,7 @@ fn block<'a>(page: &'a str, name: &str) -> &'a str {
 fn the_modes_of_the_guide_are_accepted() {
     let folder = TempDir::new().expect("a folder");
     std::fs::write(folder.child("belly_modes.toml"), block(EXCHANGE, "belly_modes.toml")).expect("a file");
-    let scene = include_str!("../../scenes/wedge_drop_20.toml").split("[[").next().expect("a scene");
+    let scene = include_str!("../../scene/scenes/wedge_drop_20.toml").split("[[").next().expect("a scene");
     let scene = scene.replace("[body]\n", "[body]\nmodes_file = \"belly_modes.toml\"\n");
     std::fs::write(folder.child("scene.toml"), scene).expect("a file");
     let path = folder.child("scene.toml");

@@ -1,6 +1,6 @@
 //! Every switch of the thesis's input file that has a counterpart here is named, with its numbers, by the key that it became.
 
-use scenarios::scene::schema;
+use scene::schema;
 
 /// What became of the switches of `INDAT`, by their numbers in its list: M. Pilorget 2010, appendix 2 (section 7.2, after
 /// page 80 of 94). Number, switch and values as our key's doc writes them, key.

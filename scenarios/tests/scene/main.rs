@@ -11,14 +11,13 @@ mod reference_page;
 mod refused;
 mod several_bodies;
 mod start;
-#[cfg(feature = "legacy")]
 mod thesis_files;
 mod waves;
 
+use run::{load, load_text};
 use scenarios::preflight::preflight;
-use scenarios::scene::{
-    Motion, Scene, SceneError, Symmetry, apply_set, builtin, compressibility_error, load, load_text, particle_estimate,
-    schema,
+use scene::{
+    Motion, Scene, SceneError, Symmetry, apply_set, builtin, compressibility_error, particle_estimate, schema,
 };
 
 /// A small complete scene; the tests below count its lines.

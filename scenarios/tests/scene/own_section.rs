@@ -4,10 +4,11 @@ use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 
+use report::section_picture;
+use run::{RunOptions, run};
+use run::{load, load_text};
 use scenarios::preflight::preflight;
-use scenarios::report::section_picture;
-use scenarios::run::{RunOptions, run};
-use scenarios::scene::{Loaded, Shape, load, load_text, panel_length};
+use scene::{Loaded, Shape, panel_length};
 
 const POINTS: &str = include_str!("../../../docs/src/guide/hull_section.csv");
 const GUIDE: &str = include_str!("../../../docs/src/guide/own-section.md");
@@ -118,7 +119,7 @@ fn a_motion_from_a_table_is_that_of_its_rows() {
     let loaded = load(path.to_str().expect("a printable path"), &[]).expect("it loads");
     let text = loaded.scene.to_toml();
     assert!(text.contains("motion = \"tabulated\"") && text.contains("breadth = 0.4"), "{text}");
-    let again = scenarios::scene::load_text("again", &text, &[]).expect("the resolved scene loads");
+    let again = run::load_text("again", &text, &[]).expect("the resolved scene loads");
     assert_eq!(again.scene, loaded.scene);
 }
 

@@ -1,6 +1,6 @@
 //! Panels that are refused or doubted before a run.
 
-use scenarios::scene::load;
+use run::load;
 
 fn message(scene: &str, sets: &[&str]) -> String {
     let sets: Vec<String> = sets.iter().map(|set| set.to_string()).collect();

@@ -2,7 +2,8 @@
 
 use std::fs;
 
-use scenarios::scene::{builtin, load};
+use run::load;
+use scene::builtin;
 
 /// A section 1.2 m wide, its points in mm.
 const POINTS: [[f64; 2]; 5] = [[0.0, 0.0], [600.0, 200.0], [600.0, 500.0], [-600.0, 500.0], [-600.0, 200.0]];

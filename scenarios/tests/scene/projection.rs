@@ -1,8 +1,9 @@
 //! What an incompressible solver makes of a scene: its defaults, its table, its warnings.
 
+use run::{RunOptions, run};
+use run::{load, load_text};
 use scenarios::preflight::preflight;
-use scenarios::run::{RunOptions, run};
-use scenarios::scene::{Scene, SolverSettings, builtin, load, load_text};
+use scene::{Scene, SolverSettings, builtin};
 
 use super::{DROP, TANK, changed, drop_with, warnings_with};
 

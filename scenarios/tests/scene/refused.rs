@@ -1,7 +1,8 @@
 //! What is refused, and how: place, key, what was given, what was expected.
 
 use miette::Diagnostic;
-use scenarios::scene::{BYTES_PER_PARTICLE, builtin, load, load_text, particle_estimate, schema};
+use run::{load, load_text};
+use scene::{BYTES_PER_PARTICLE, builtin, particle_estimate, schema};
 
 use super::{DROP, TANK, changed, drop_with};
 
@@ -178,19 +179,18 @@ fn bodies_and_tanks_must_fit_together() {
 #[test]
 fn a_film_too_thin_for_the_projection_is_told() {
     let told = |scene: &str, gap: &str| {
-        let loaded = scenarios::scene::load(scene, &[format!("contact.gap={gap}")]).expect("a sound scene");
+        let loaded = run::load(scene, &[format!("contact.gap={gap}")]).expect("a sound scene");
         loaded.warnings.iter().any(|warning| warning.starts_with("contact.gap"))
     };
     assert!(told("two_boxes", "1.9") && !told("two_boxes", "2") && !told("flap", "1"));
 }
 
 /// With panels Verlet's leapfrog broke at 0.5 ms beside "added_mass" and at 2 ms beside "iqn_ils"; beside "weak" it ran.
-#[cfg(feature = "legacy")]
 #[test]
 fn verlets_leapfrog_with_panels_has_the_scheme_it_runs_with() {
     let with = |more: &[&str]| {
         let sets: Vec<String> = ["fluid.integrator=verlet"].iter().chain(more).map(|set| set.to_string()).collect();
-        scenarios::scene::load("elastic_gate", &sets)
+        run::load("elastic_gate", &sets)
     };
     assert_eq!(with(&[]).expect("a sound scene").scene.coupling.scheme.name(), "weak");
     for scheme in ["coupling.scheme=added_mass", "coupling.scheme=iqn_ils"] {
@@ -231,7 +231,7 @@ fn bodies_and_joints_that_make_no_sense_are_refused() {
         ("box_on_floor", &joint("kind = \"hinge\", bodies = [\"tank\", \"box\"]").replace("[{", "[{ breaks_at = 0, "), &["`joints[0].breaks_at` = 0"]),
     ];
     for (scene, set, fragments) in table {
-        let message = match scenarios::scene::load(scene, &[set.to_string()]) {
+        let message = match run::load(scene, &[set.to_string()]) {
             Err(error) => error.to_string(),
             Ok(_) => panic!("{set:?} must be refused"),
         };

@@ -1,6 +1,7 @@
 //! Several bodies: each automatic value is that of the body that asks for most, and each warning holds for every body.
 
-use scenarios::scene::{Loaded, load_text};
+use run::load_text;
+use scene::Loaded;
 
 /// A scene of wedges of 20°, 0.4 m wide: place x [m], downward speed [m/s] and mass [kg/m] of each.
 fn wedges(wedges: &[[f64; 3]], more: &str) -> Loaded {
@@ -37,7 +38,7 @@ fn two_wedges_have_the_settings_of_the_one_that_asks_for_more() {
         "{zone:?}"
     );
     assert!(both.tank.width >= a.tank.width.max(b.tank.width) && both.tank.depth >= a.tank.depth.max(b.tank.depth));
-    let bound = |scene: &scenarios::scene::Scene| {
+    let bound = |scene: &scene::Scene| {
         scene
             .solver
             .weakly_compressible()
@@ -62,7 +63,7 @@ fn a_second_wedge_like_the_first_changes_only_the_room() {
         )
     };
     assert_eq!(settings(&one), settings(&two));
-    let particles = |loaded: &Loaded| scenarios::scene::particle_estimate(&loaded.scene).0;
+    let particles = |loaded: &Loaded| scene::particle_estimate(&loaded.scene).0;
     assert!(particles(&two) < 4 * particles(&one), "{} and {}", particles(&two), particles(&one));
 }
 
@@ -94,7 +95,7 @@ fn a_fixed_body_beside_an_impact_asks_for_nothing() {
 #[test]
 fn no_similarity_solution_holds_beside_another_body() {
     let far = "bodies=[{ name = 'far', shape = 'box', breadth = 0.3, height = 0.2, mass = 3, inertia = 1, position = [3, 1] }]";
-    let error = scenarios::scene::load("wedge_constant", &[far.to_string(), "symmetry=none".to_string()]);
+    let error = run::load("wedge_constant", &[far.to_string(), "symmetry=none".to_string()]);
     let words = error.expect_err("two bodies").to_string();
     assert!(words.contains("`similarity`") && words.contains("a wedge alone"), "{words}");
 }

@@ -1,6 +1,6 @@
 //! Water that does not start as a level rectangle, and what is read off it.
 
-use scenarios::build;
+use run::build;
 
 use super::{TANK, changed, load, particle_estimate, sets};
 

@@ -1,8 +1,9 @@
 //! INDAT and IPART of a scene, and the scene made of them again.
 
-use scenarios::run::{RunOptions, run};
-use scenarios::scene::{Shape, load, load_text};
+use run::{RunOptions, run};
+use run::{load, load_text};
 use scenarios::thesis_files::{Indat, Ipart, Particle, files_of, scene_of};
+use scene::Shape;
 
 fn sets(sets: &[&str]) -> Vec<String> {
     sets.iter().map(|set| set.to_string()).collect()

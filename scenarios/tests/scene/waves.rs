@@ -1,6 +1,6 @@
 //! Wave makers and beaches: what is refused, and what is warned of.
 
-use scenarios::scene::{load, load_text};
+use run::{load, load_text};
 
 use super::{TANK, sets};
 

@@ -175,7 +175,7 @@ fn chosen_numbers_of_several_scenes() {
          [latin_hypercube]\nsamples = 3\nseed = 4\nkeys.body.mass = [100, 400]\n[zip]\nmodel = [\"mlm\", \"wagner\"]\n\
          \"body.velocity[1]\" = [-5, -6]\n",
     );
-    let own = include_str!("../../scenes/wedge.toml");
+    let own = include_str!("../../scene/scenes/wedge.toml");
     place.write("own.toml", own.split("[[compare]]").next().expect("the scene without references"));
     let (code, said, message) = place.sweep(&[]);
     assert_eq!((code, &said["points"]), (Some(0), &12.into()), "{message}");

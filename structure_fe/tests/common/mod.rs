@@ -55,7 +55,7 @@ pub fn uniform(beam: &Beam, load: [f64; 2]) -> Loads {
 
 /// Rows of a reference table as column name -> text. Lines that begin with `#` are comments.
 pub fn table(name: &str) -> Vec<HashMap<String, String>> {
-    let path = format!(concat!(env!("CARGO_MANIFEST_DIR"), "/../scenarios/cases/reference/exact/{}.csv"), name);
+    let path = format!(concat!(env!("CARGO_MANIFEST_DIR"), "/../scenarios/scene/reference/exact/{}.csv"), name);
     let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{path}: {error}"));
     let mut lines = text.lines().filter(|line| !line.starts_with('#'));
     let names: Vec<&str> = lines.next().unwrap().split(',').collect();

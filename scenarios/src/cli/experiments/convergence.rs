@@ -7,7 +7,7 @@ use clap::Args;
 use super::write_all;
 use crate::cli::shared::{DONE, Output, SceneArgs, Stop, load, say};
 use crate::experiments::convergence::{self, Plan, Refinement, page, study, text};
-use crate::run::refuse_occupied;
+use run::folder::refuse_occupied;
 
 #[derive(Args)]
 pub struct StudyArgs {

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::power_law::least_squares;
+use run::power_law::least_squares;
 
 /// Orders that a convergent sequence may show [-].
 const ORDERS: [f64; 2] = [0.5, 3.0];

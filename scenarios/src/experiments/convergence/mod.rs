@@ -13,7 +13,7 @@ use serde::Serialize;
 
 use super::ExperimentError;
 use super::runs::{run_to_end, scene_with};
-use crate::scene::{self, Scene, compressibility_error};
+use scene::{Scene, compressibility_error};
 
 pub use fit::{Fit, Sample, fit};
 pub use page::{page, text};
@@ -79,7 +79,7 @@ pub struct Study {
 /// # Errors
 /// The plan is wrong, a run ended early, or the runs cannot be told from each other.
 pub fn study(plan: &Plan, tell: impl Fn(usize, usize, f64, f64)) -> Result<Study, ExperimentError> {
-    let base = scene::load(&plan.scene, &plan.sets)?.scene;
+    let base = run::load(&plan.scene, &plan.sets)?.scene;
     if base.model.is_theory() {
         let expected = "a model of particles: a theory has no spacing".to_string();
         return Err(ExperimentError::Input { key: "model", given: base.model.name().into(), expected });

@@ -1,7 +1,7 @@
 //! A study as a page, `study.html`, and as text.
 
 use super::{Point, Study};
-use crate::report::{Block, Chart, Column, Curve, Mark, Report, Status, Table, render};
+use report::{Block, Chart, Column, Curve, Mark, Report, Status, Table, render};
 
 /// Points of a fitted curve.
 const POINTS: usize = 60;

@@ -1,12 +1,12 @@
 //! `splashdown run --converge`: a scene at 4, 2 and 1 times its spacing, and error bars of its main numbers.
 
 use super::fit::{Sample, fit};
-use crate::error_bar::{ErrorBar, ErrorBars};
 use crate::experiments::ExperimentError;
 use crate::experiments::runs::{RunRecord, run_to_end, scene_with};
-use crate::numbers::Numbers;
-use crate::run::summary::Summary;
-use crate::scene::{self, Motion, Scene, known_compressibility_error};
+use run::error_bar::{ErrorBar, ErrorBars};
+use run::numbers::Numbers;
+use run::summary::Summary;
+use scene::{Motion, Scene, known_compressibility_error};
 
 /// Spacings of the coarser runs over the scene's own. The ratio is 2: at √2 the scatter between runs changes the order by 0.3.
 const COARSER: [f64; 2] = [4.0, 2.0];
@@ -22,7 +22,7 @@ pub struct Refinement {
 /// # Errors
 /// The scene cannot be run with these spacings, or a run ended early.
 pub fn coarser_runs(scene: &str, sets: &[String], tell: impl Fn(usize, f64)) -> Result<Refinement, ExperimentError> {
-    let spacing = scene::load(scene, sets)?.scene.resolution.spacing;
+    let spacing = run::load(scene, sets)?.scene.resolution.spacing;
     let at = |times: f64| {
         let coarse = scene_with(scene, sets, &[format!("resolution.spacing={:?}", times * spacing)]);
         coarse.map_err(|why| ExperimentError::Input {

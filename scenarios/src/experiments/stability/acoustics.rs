@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use crate::scene::{Integrator, Kernel};
 use nalgebra::{Matrix2, Matrix4, SMatrix};
+use scene::{Integrator, Kernel};
 
 use super::lattice::neighbours;
 

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::boundary::Boundary;
 use crate::experiments::catalogue::{Case, Catalogue};
-use crate::numbers::Numbers;
+use run::numbers::Numbers;
 
 static FOLDER: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/cases/maps");
 

@@ -1,7 +1,7 @@
 //! A map as SVG.
 
 use super::{Measured, Point, Verdict};
-use crate::report::escape;
+use report::escape;
 
 const LEFT: f64 = 170.0;
 const TOP: f64 = 14.0;

@@ -9,9 +9,9 @@ use super::map::{Bound, Map};
 use super::measured::{Measured, Point, Verdict};
 use crate::experiments::ExperimentError;
 use crate::experiments::runs::{RunRecord, side_by_side};
-use crate::run::summary::Summary;
-use crate::run::{self, RunError, RunOptions};
-use crate::scene::{self, Scene, SceneError};
+use run::summary::Summary;
+use run::{self, RunError, RunOptions};
+use scene::{Scene, SceneError};
 
 /// Run every point of a map, as many side by side as the current pool has threads; `tell` is called after each with the number
 /// of finished points, the number of all, and the point.
@@ -60,7 +60,7 @@ pub fn boundary_ratio(map: &Map, x: &str, y: &str) -> Result<Option<f64>, SceneE
 
 /// The scene of a point, without limits on the step.
 fn scene_of(map: &Map, x: &str, y: &str) -> Result<Scene, SceneError> {
-    Ok(scene::load_beyond_limits(&map.scene, &map.sets(x, y))?.scene)
+    Ok(run::load_beyond_limits(&map.scene, &map.sets(x, y))?.scene)
 }
 
 fn run_point(map: &Map, scene: &Scene, x: &str, y: &str) -> Result<Point, RunError> {

@@ -2,11 +2,11 @@
 
 use super::case::{Family, Quantity, Reading};
 use super::measured::Measured;
-use crate::charted::{ErrorLaw, ShareOf, WedgeEntry};
 use crate::experiments::runs::scene_with;
-use crate::observers::SIMILARITY_FROM;
-use crate::power_law::PowerLaw;
-use crate::scene::{Norm, Scene, SceneError};
+use run::charted::{ErrorLaw, ShareOf, WedgeEntry};
+use run::observers::SIMILARITY_FROM;
+use run::power_law::PowerLaw;
+use scene::{Norm, Scene, SceneError};
 
 /// The laws of a chart that apply to other runs: one for each family over spacings and each number.
 ///

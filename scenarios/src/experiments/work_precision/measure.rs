@@ -7,7 +7,7 @@ use super::case::{CHARTS, Case};
 use super::measured::{Measured, Outcome, Point, Run};
 use crate::experiments::ExperimentError;
 use crate::experiments::runs::{run_to_end, scene_with};
-use crate::scene::Scene;
+use scene::Scene;
 
 /// Run every point of a case, except those that `before` holds.
 ///

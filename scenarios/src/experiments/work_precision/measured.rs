@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use super::case::{Case, Family, Quantity, Reading, as_set};
-use crate::power_law::PowerLaw;
+use run::power_law::PowerLaw;
 
 /// A run, done or failed.
 #[derive(Clone, Debug, Deserialize, Serialize)]

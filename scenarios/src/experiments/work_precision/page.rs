@@ -4,7 +4,7 @@ use super::case::{Quantity, Reading, as_set};
 use super::measured::{Measured, Outcome, Seen, Trend};
 use super::peers::{Peer, PeerPoint, peers};
 use crate::experiments::ExperimentError;
-use crate::report::{Block, Chart, Curve, Mark, Report, Status, Table, TrendLine, chart_svg, render};
+use report::{Block, Chart, Curve, Mark, Report, Status, Table, TrendLine, chart_svg, render};
 
 const HEAD: [&str; 9] =
     ["family", "at", "value", "bias [%]", "scatter [%]", "error [%]", "particles", "steps", "core-s"];

@@ -1,4 +1,4 @@
-//! Measured points of other programs: `scenarios/cases/reference/peers`.
+//! Measured points of other programs: `scenarios/cases/peers`.
 
 use std::collections::BTreeMap;
 
@@ -6,10 +6,10 @@ use include_dir::{Dir, include_dir};
 use serde::Deserialize;
 
 use super::case::Reading;
-use crate::embedded;
 use crate::experiments::ExperimentError;
+use scene::embedded;
 
-static FILES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/cases/reference/peers");
+static FILES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/cases/peers");
 
 /// A program's runs of a charted case.
 #[derive(Clone, Debug, Deserialize)]

@@ -1,0 +1,241 @@
+//! What the page reads of `summary.json`.
+//!
+//! Every field may be missing: a run that was killed has no summary, an older one has fewer fields, and a number that is not finite is
+//! `null` in JSON.
+
+use std::collections::BTreeMap;
+
+use serde::Deserialize;
+
+use run::results::{BandwidthBy, is_withheld};
+
+/// A summary, as far as the page shows it; names and units are those of [`Summary`](run::summary::Summary).
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(default)]
+pub(crate) struct Record {
+    pub status: String,
+    pub message: Option<String>,
+    pub results: Results,
+    pub doubts: Vec<String>,
+    pub warnings: Vec<String>,
+    pub model: String,
+    pub choice: Option<String>,
+    pub host: Option<String>,
+    pub version: String,
+    pub particles: Particles,
+    pub steps: u64,
+    pub time_end_s: Option<f64>,
+    pub wall_time_s: Option<f64>,
+    pub particle_updates_per_s: Option<f64>,
+    pub threads: u64,
+    pub phases: BTreeMap<String, Phase>,
+    pub log: Option<Log>,
+    pub audit: Option<Audit>,
+    pub compressibility: Option<Compressibility>,
+    pub projection: Option<Projection>,
+    pub similarity: Option<Similarity>,
+    pub force_rules: Vec<Rule>,
+    pub comparison: Vec<Comparison>,
+    pub not_compared: Vec<String>,
+    pub error_bars: BTreeMap<String, Bar>,
+    pub panels: BTreeMap<String, Panel>,
+    pub gauges: BTreeMap<String, Gauge>,
+    pub acceleration_filtered: Option<Filtered>,
+}
+
+/// The results, in their order.
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(default)]
+#[allow(non_snake_case)]
+pub(crate) struct Results {
+    pub peak_force_N_per_m: Option<Quantity>,
+    pub peak_acceleration_g: Option<Quantity>,
+    pub peak_pressure_Pa: Option<Quantity>,
+    pub impulse_N_s_per_m: Option<Quantity>,
+    pub bandwidth_by: Option<BandwidthBy>,
+    pub panels: BTreeMap<String, PanelResults>,
+}
+
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(default)]
+#[allow(non_snake_case)]
+pub(crate) struct PanelResults {
+    pub peak_stress_Pa: Option<Quantity>,
+    pub peak_strain: Option<Quantity>,
+    pub reserve_factor: Option<Quantity>,
+}
+
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(default)]
+pub(crate) struct Quantity {
+    pub value: Option<f64>,
+    pub time_s: Option<f64>,
+    pub band: Option<f64>,
+    pub cutoff_hz: Option<f64>,
+    pub raw: Option<f64>,
+    pub verdict: String,
+    pub allowed: Option<bool>,
+}
+
+impl Quantity {
+    /// True for a number that tells nothing: its band is as large as itself.
+    pub fn is_withheld(&self) -> bool {
+        self.value.is_some_and(|value| is_withheld(value, self.band))
+    }
+}
+
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(default)]
+pub(crate) struct Particles {
+    pub fluid: u64,
+    pub wall: u64,
+}
+
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(default)]
+pub(crate) struct Phase {
+    pub seconds: Option<f64>,
+}
+
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(default)]
+pub(crate) struct Log {
+    pub bytes: u64,
+    pub frames: u64,
+    pub frames_left_out: u64,
+    pub budget_megabytes: Option<f64>,
+}
+
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(default)]
+pub(crate) struct Audit {
+    pub momentum: Option<f64>,
+    pub energy: Option<f64>,
+    pub work: Option<f64>,
+    pub structure: Option<f64>,
+    pub surface: Option<f64>,
+    pub volume: Option<f64>,
+    pub penetrated: u64,
+}
+
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(default)]
+pub(crate) struct Compressibility {
+    pub sound_speed_m_per_s: Option<f64>,
+    pub mach_reached: Option<f64>,
+    pub force_error_estimate: Option<f64>,
+    pub force_corrected: Option<f64>,
+}
+
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(default)]
+pub(crate) struct Projection {
+    pub iterations_mean: Option<f64>,
+    pub solves: u64,
+    pub pinned_last: Option<u64>,
+}
+
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(default)]
+pub(crate) struct Similarity {
+    pub profile: Vec<[Option<f64>; 2]>,
+}
+
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(default)]
+pub(crate) struct Rule {
+    pub rule: String,
+    pub force_n_per_m: [Option<f64>; 2],
+    pub force_y_sd_n_per_m: Option<f64>,
+    pub moment_n: Option<f64>,
+    pub impulse_n_s_per_m: [Option<f64>; 2],
+    pub force_difference: Option<f64>,
+    pub impulse_difference: Option<f64>,
+}
+
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(default)]
+pub(crate) struct Comparison {
+    pub reference: String,
+    pub quantity: String,
+    pub ours: Option<f64>,
+    pub theirs: Option<f64>,
+    pub error: Option<f64>,
+    pub tolerance: Option<f64>,
+}
+
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(default)]
+pub(crate) struct Bar {
+    pub value: Option<f64>,
+    pub extrapolated: Option<f64>,
+    pub band: Option<f64>,
+    pub order: Option<f64>,
+    pub verdict: String,
+    pub method: String,
+}
+
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(default)]
+pub(crate) struct Panel {
+    pub normal_n_per_m: Extremes,
+    pub shear_n_per_m: Extremes,
+    pub moment_n: Extremes,
+    pub stress_pa: Extremes,
+    pub strain: Extremes,
+    pub reserve_factor: Option<f64>,
+    pub yielded: bool,
+    pub plastic_curvature_per_m: Option<f64>,
+    pub ruptures: Vec<Rupture>,
+    pub envelope: Envelope,
+}
+
+/// Extremes at each station of a panel.
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(default)]
+pub(crate) struct Envelope {
+    pub station_m: Vec<Option<f64>>,
+    pub normal_n_per_m: Vec<Extremes>,
+    pub shear_n_per_m: Vec<Extremes>,
+    pub moment_n: Vec<Extremes>,
+    pub stress_pa: Vec<Extremes>,
+    pub reserve_factor: Vec<Option<f64>>,
+}
+
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(default)]
+pub(crate) struct Extremes {
+    pub least: Option<f64>,
+    pub least_at_s: Option<f64>,
+    pub most: Option<f64>,
+    pub most_at_s: Option<f64>,
+}
+
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(default)]
+pub(crate) struct Rupture {
+    pub time_s: Option<f64>,
+    pub x_m: Option<f64>,
+    pub y_m: Option<f64>,
+    pub strain: Option<f64>,
+}
+
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(default)]
+pub(crate) struct Gauge {
+    pub peak_pa: Option<f64>,
+    pub peak_time_s: Option<f64>,
+    pub rise_time_s: Option<f64>,
+    pub impulse_pa_s: Option<f64>,
+    pub length_m: Option<f64>,
+    pub bandwidth_hz: Option<f64>,
+}
+
+/// The filtered acceleration.
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(default)]
+pub(crate) struct Filtered {
+    pub cfc: Option<f64>,
+    pub peak_g: Option<f64>,
+    pub time_s: Option<f64>,
+}

@@ -1,0 +1,231 @@
+//! The files of a run by a theory.
+
+use std::time::Instant as Clock;
+
+use water_entry::Instant;
+
+use super::{Measured, Theory, measured};
+use crate::compare::{self, ReferenceCurve};
+use crate::error_bar::{ErrorBar, ErrorBars};
+use crate::log::{BodyView, Frame, Logged};
+use crate::observers::{ObserveError, Series, SimilarityResult, body_values, create_log, mean_and_deviation};
+use crate::results::{Extreme, Quantity, Results, RunningIntegral, STANDARD_GRAVITY, Verdict};
+use crate::summary::{Log, Peak, Summary};
+use crate::{Outcome, RunError, RunOptions};
+use scene::QuantityOfInterest;
+use scene::reference::WedgeSimilarity;
+use scene::{Body, Gauge, Motion, Scene};
+
+/// Least pressure in the rows beside a peak that they follow, over it [-]: it is then within about 1 % of the largest between rows.
+const BESIDE_PEAK: f64 = 0.95;
+/// Points of a pressure profile, in x/(V t) up to the jet's tip.
+const PROFILE: usize = 800;
+
+/// A scene that a theory followed.
+pub(crate) struct Followed {
+    theory: Theory,
+    start: Clock,
+}
+
+impl Followed {
+    /// Follow a scene to its end; nothing is written.
+    pub fn new(scene: &Scene) -> Result<Followed, RunError> {
+        let start = Clock::now();
+        let theory = Theory::of(scene, scene.model).map_err(|e| RunError::Theory(scene.model.name(), e))?;
+        Ok(Followed { theory, start })
+    }
+}
+
+/// Files and numbers of a scene whose model is a theory; `out` is ready for files.
+pub(crate) fn run(
+    scene: &Scene,
+    Followed { theory, start }: Followed,
+    options: &RunOptions<'_>,
+    references: Vec<ReferenceCurve>,
+) -> Result<Outcome, RunError> {
+    let body = scene.body.as_ref().expect("a theory has a body");
+    let file = |name: &str| options.out.as_ref().map(|dir| dir.join(name));
+    let mut series = Series::new(scene, file("series.csv").as_deref())?;
+    theory.rows(scene).into_iter().for_each(|row| series.push(row));
+    series.flush()?;
+    let log = file("log.mcap").filter(|_| !options.without_log);
+    let log = log.map(|path| write_log(scene, body, &theory, &path)).transpose()?;
+    let exact = compare::similarity_of(scene);
+    let similarity = scene.similarity.and_then(|_| similarity(scene, &theory, exact.as_ref()));
+    let (comparison, not_compared) = compare::against_all(scene, &references, &series, similarity.as_ref());
+    let bars = error_bars(scene, body, &theory, &series);
+    let end = theory.instants.last().map_or(0.0, |i| i.time);
+    let peak = |(name, value, time_s): (&str, f64, f64)| (name.to_string(), Peak { value, time_s, verdict: None });
+    let summary = Summary {
+        scene: scene.name.clone(),
+        model: scene.model.name(),
+        choice: scene.choice.clone(),
+        host: None,
+        version: env!("CARGO_PKG_VERSION"),
+        steps: theory.instants.len() as u64,
+        time_end_s: end,
+        wall_time_s: start.elapsed().as_secs_f64(),
+        threads: 1,
+        log: log.map(|Logged { bytes, frames, left_out }| Log {
+            bytes,
+            frames,
+            frames_left_out: left_out,
+            budget_megabytes: scene.report.log_budget,
+        }),
+        peaks: series.peaks().map(peak).collect(),
+        means: series.means(0.8 * end).map(|(name, mean)| (name.to_string(), mean)).collect(),
+        results: results(body, &detailed(scene)?.unwrap_or(theory), &bars),
+        error_bars: bars,
+        similarity,
+        comparison,
+        not_compared,
+        ..Summary::default()
+    };
+    Ok(Outcome { summary, series })
+}
+
+/// Least number of instants in a run whose peaks and impulses are results.
+const LEAST_INSTANTS: f64 = 500.0;
+
+/// The theory at more instants, where a scene's rows are few.
+fn detailed(scene: &Scene) -> Result<Option<Theory>, RunError> {
+    let every = scene.time.end / LEAST_INSTANTS;
+    if scene.time.sample_every <= every * (1.0 + 1e-9) {
+        return Ok(None);
+    }
+    let mut detailed = scene.clone();
+    detailed.time.sample_every = every;
+    Theory::of(&detailed, scene.model).map(Some).map_err(|e| RunError::Theory(scene.model.name(), e))
+}
+
+/// Largest difference of the true value from a computed one whose error is the share `error` of the true value, over the
+/// computed one [-].
+fn reach(error: f64) -> f64 {
+    match error < 1.0 {
+        true => error / (1.0 - error) * (1.0 + 1e-9), // it may be too low
+        false => 1.0,                                 // it is too high
+    }
+}
+
+/// Error bars of a run by a theory: its error in the nearest measured case (THEORY EN9).
+fn error_bars(scene: &Scene, body: &Body, theory: &Theory, series: &Series) -> ErrorBars {
+    let bar = |want: QuantityOfInterest, path: String, value: f64| {
+        let Measured { error, case } = measured(scene, theory, want)?;
+        let (method, verdict) = (format!("measured in {case}"), "as far off as it was there".into());
+        Some((
+            path,
+            ErrorBar { value, extrapolated: None, band: reach(error) * value.abs(), order: None, verdict, method },
+        ))
+    };
+    let column = format!("{}.fy_N_per_m", body.name);
+    let peak = series.peaks().find(|(name, ..)| *name == column);
+    let force =
+        peak.and_then(|(name, value, _)| bar(QuantityOfInterest::PeakForce, format!("peaks/{name}/value"), value));
+    let pressure = |gauge: &Gauge| {
+        let column = format!("{}.p_Pa", gauge.name);
+        let (name, value, _) = series.peaks().find(|(name, ..)| *name == column)?;
+        // rows that do not follow the peak, and a front that has not passed, give no peak
+        let rows = series.column(name)?;
+        let at = rows.iter().position(|p| *p == value)?;
+        let beside = [at.checked_sub(1), Some(at + 1)].into_iter().flatten().filter_map(|k| rows.get(k));
+        if beside.into_iter().any(|p| *p < BESIDE_PEAK * value) {
+            return None;
+        }
+        bar(QuantityOfInterest::PeakPressure, format!("peaks/{name}/value"), value)
+    };
+    let mut pressures: Vec<(String, ErrorBar)> = scene.gauges.iter().filter_map(pressure).collect();
+    if theory.model.is_formula() && body.is_free() {
+        // of a drop by a formula only the largest was compared
+        let largest = pressures.iter().map(|(_, bar)| bar.value).fold(f64::NEG_INFINITY, f64::max);
+        pressures.retain(|(_, bar)| bar.value == largest);
+    }
+    force.into_iter().chain(pressures).collect()
+}
+
+/// Results of a theory: no particles, so no mean.
+fn results(body: &Body, theory: &Theory, bars: &ErrorBars) -> Results {
+    let (mut forces, mut accelerations) = (RunningIntegral::<2>::default(), RunningIntegral::<1>::default());
+    for (now, motion) in theory.instants.iter().zip(theory.motions(body)) {
+        forces.take(now.time, motion.force);
+        accelerations.take(now.time, [motion.acceleration[1] / STANDARD_GRAVITY]);
+    }
+    let quantity = |value: f64, time_s: Option<f64>, band: Option<f64>| {
+        let verdict = Verdict::Resolved;
+        Some(Quantity { value, time_s, band, cutoff_hz: None, raw: value, verdict, allowed: None }.with_known_band())
+    };
+    // an acceleration and an impulse are as good as the force
+    let bar = bars.get(&format!("peaks/{}.fy_N_per_m/value", body.name));
+    let share = bar.filter(|bar| bar.value != 0.0).map(|bar| bar.band / bar.value.abs());
+    let peak = |largest: Option<Extreme>, subtracted: f64| {
+        let peak = largest?;
+        quantity(peak.value, Some(peak.time), share.map(|share| share * (peak.value + subtracted)))
+    };
+    let free = matches!(body.motion, Motion::Free(_));
+    // formulas were measured on faces alone: their force past wet chines, and the impulse with it, was not
+    let of_impulse = share.filter(|_| !(theory.wets_chines() && theory.model.is_formula()));
+    let [x, y] = forces.total();
+    let impulse = x.hypot(y);
+    let gauges = bars.iter().filter(|(path, _)| path.ends_with(".p_Pa/value"));
+    let pressure = gauges.max_by(|(_, a), (_, b)| a.value.total_cmp(&b.value));
+    Results {
+        bandwidth_by: None,
+        peak_force_N_per_m: peak(forces.largest(), 0.0),
+        peak_acceleration_g: peak(accelerations.largest(), 1.0).filter(|_| free),
+        peak_pressure_Pa: pressure.and_then(|(_, bar)| quantity(bar.value, None, Some(bar.band))),
+        impulse_N_s_per_m: quantity(impulse, None, of_impulse.map(|share| share * impulse)),
+        panels: Default::default(),
+    }
+}
+
+/// Poses of the body, and its curves.
+fn write_log(scene: &Scene, body: &Body, theory: &Theory, path: &std::path::Path) -> Result<Logged, ObserveError> {
+    let mut log = create_log(path, scene)?;
+    let outline = body.shape.outline();
+    let mut next = 0.0;
+    for (k, (now, motion)) in theory.instants.iter().zip(theory.motions(body)).enumerate() {
+        log.sample(now.time, &format!("body/{}", body.name), &body_values(&motion))?;
+        let last = k + 1 == theory.instants.len();
+        if now.time >= next || last {
+            next = scene.time.frame_every * ((now.time / scene.time.frame_every + 1e-9).floor() + 1.0);
+            let view = BodyView { name: &body.name, position: motion.position, angle: motion.angle, outline: &outline };
+            log.frame(Frame::new(now.time, &[], &[], &[view])?, last)?;
+        }
+    }
+    Ok(log.finish()?)
+}
+
+/// The similarity solution's numbers, by this theory.
+fn similarity(scene: &Scene, theory: &Theory, exact: Option<&WedgeSimilarity>) -> Option<SimilarityResult> {
+    let rho = scene.water().density;
+    let over = |i: &Instant| i.force / (rho * i.speed.powi(2) * i.draught);
+    let late: Vec<usize> = theory.late().collect();
+    let (first, last) = (*late.first()?, *late.last()?);
+    let coefficients: Vec<f64> = late.iter().map(|&k| over(&theory.instants[k])).collect();
+    let [mean, sd] = mean_and_deviation(&coefficients);
+    let Instant { draught, speed, .. } = theory.instants[last];
+    let dynamic = 0.5 * rho * speed * speed;
+    let [peak, place] = theory.peak_pressure(last).unwrap_or([f64::NAN; 2]);
+    let tan = theory.section.slope(0.0);
+    let profile = theory.profile(last, PROFILE);
+    let finite = theory.peak_pressure(last).is_some();
+    let error = exact.filter(|_| finite).map(|e| e.profile_error(&profile, 0.8 * std::f64::consts::FRAC_PI_2 / tan));
+    let z = place * tan / draught - 1.0;
+    Some(SimilarityResult {
+        window_s: [theory.instants[first].time, theory.instants[last].time],
+        draught_m: draught,
+        spacings_per_draught: f64::INFINITY,
+        force_coefficient: mean,
+        force_coefficient_sd: sd,
+        cp_max: peak / dynamic,
+        cp_max_unresolved: None,
+        cp_max_sd: 0.0,
+        cp_max_of_mean: peak / dynamic,
+        z_max_over_vt: z,
+        profile_error: error,
+        profile_error_snapshot: error,
+        cp_noise: None,
+        z_max_error: exact.filter(|_| finite).map(|e| (z - e.z_max_over_vt) / e.z_max_over_vt.abs()),
+        impulse_coefficient: mean,
+        profile,
+    })
+}

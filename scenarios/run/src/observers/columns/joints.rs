@@ -1,0 +1,23 @@
+//! Columns of joints (THEORY CO38).
+
+use crate::observers::source::{Reader, Source};
+use scene::Scene;
+
+pub(in crate::observers) const SOURCE: Source = Source { names, reader };
+
+fn names(scene: &Scene) -> Vec<String> {
+    scene.joints.iter().flat_map(|joint| joint.columns()).collect()
+}
+
+/// A joint that broke bears nothing.
+fn reader(_scene: &Scene) -> Reader {
+    Box::new(|frame| {
+        let joints = frame.system.joints().into_iter();
+        joints
+            .flat_map(|joint| {
+                let [x, y] = if joint.broken.is_some() { [0.0; 2] } else { joint.force };
+                [joint.value, x, y]
+            })
+            .collect()
+    })
+}

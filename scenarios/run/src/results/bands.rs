@@ -1,0 +1,148 @@
+//! Bands of forces and impulses by the draught in spacings (THEORY GE19).
+
+use scene::{Bottom, Entry, LEAST_DRAUGHT, known_compressibility_error};
+use settings::significant;
+
+/// Band of a peak force times its draught in spacings, weakly compressible and incompressible, shares of the force [-].
+const FORCE_BAND: [f64; 2] = [0.7, 1.0];
+/// The least band of a peak force, a share of it [-].
+pub(super) const LEAST_FORCE_BAND: f64 = 0.03;
+/// The same of an impulse, of wedges and of round bottoms, each weakly compressible and incompressible, shares of the impulse [-].
+const IMPULSE_BAND: [[f64; 2]; 2] = [[1.0, 2.0], [1.5, 2.0]];
+const LEAST_IMPULSE_BAND: [f64; 2] = [0.025, 0.04];
+/// What the tip of a wedge steeper than 45 degrees, which is thinner than the kernel, adds to the force times k/tan²β: weakly
+/// compressible and incompressible [-].
+const THIN_TIP: [f64; 2] = [0.15, 0.5];
+/// A force with a band wider than this is not resolved [-].
+const WIDEST: f64 = 0.4;
+
+/// Share that compressibility takes of the forces that the bands are fitted to [-].
+const ADMITTED: f64 = 0.01;
+
+/// Share of a force that compressibility takes beyond that, or why it is not known; none where water is incompressible [-].
+pub(super) fn lost_beyond(sound: Option<f64>, entry: &Entry) -> Result<f64, String> {
+    let mach = sound.map_or(0.0, |sound| entry.root_speed() / sound);
+    let lost = known_compressibility_error(mach, 1.0).ok_or_else(|| {
+        format!(
+            "the spray root starts at Mach {}: what compressibility takes of the force is known up to 0.3",
+            significant(mach)
+        )
+    })?;
+    Ok((lost - ADMITTED).max(0.0))
+}
+
+/// A draught [m], resolved by a spacing [m].
+#[derive(Clone, Copy)]
+pub(super) struct Depth {
+    pub draught: f64,
+    pub spacing: f64,
+    pub incompressible: bool,
+}
+
+impl Depth {
+    fn spacings(self) -> f64 {
+        self.draught / self.spacing
+    }
+
+    /// Share of a force in its band, or why it is not resolved.
+    pub fn force_share(self, entry: &Entry) -> Result<f64, String> {
+        if self.spacings() < LEAST_DRAUGHT {
+            // where theory has it deeper, the run's peak is one of first contact
+            let cure = (entry.peak_draught / LEAST_DRAUGHT).min(0.5 * self.spacing);
+            let (deep, cure) = (significant(self.spacings().max(0.0)), advice(cure));
+            return Err(format!("the peak comes at a draught of {deep} spacings; {LEAST_DRAUGHT} are needed{cure}"));
+        }
+        let at_one_spacing = FORCE_BAND[usize::from(self.incompressible)];
+        self.within_widest(((at_one_spacing + self.thin_tip(entry)) / self.spacings()).max(LEAST_FORCE_BAND))
+    }
+
+    /// Share of an impulse in its band, or why it is not resolved; of the largest draught of the run.
+    pub fn impulse_share(self, entry: &Entry) -> Result<f64, String> {
+        let round = matches!(entry.bottom, Bottom::Arc { .. });
+        let least = if round { self.draught } else { self.draught.min(entry.peak_draught) };
+        if least < LEAST_DRAUGHT * self.spacing {
+            let (deep, cure) = (significant(least / self.spacing), advice(least / LEAST_DRAUGHT));
+            return Err(format!(
+                "the draught at the end or at the largest force is {deep} spacings; {LEAST_DRAUGHT} are needed{cure}"
+            ));
+        }
+        let solver = usize::from(self.incompressible);
+        let at_one_spacing = IMPULSE_BAND[usize::from(round)][solver];
+        let share = (at_one_spacing + 2.0 * self.thin_tip(entry)) / self.spacings();
+        self.within_widest(share.max(LEAST_IMPULSE_BAND[solver]))
+    }
+
+    fn within_widest(self, share: f64) -> Result<f64, String> {
+        let why = || {
+            format!(
+                "its band is {} %, because the draught is small or the tip of a steep wedge thinner than the kernel: {} m would do for \
+                 resolution.spacing",
+                significant(100.0 * share),
+                significant(self.spacing * WIDEST / share)
+            )
+        };
+        if share > WIDEST { Err(why()) } else { Ok(share) }
+    }
+
+    /// Share of a force or of a pressure that the tip of a steep wedge adds.
+    pub fn tip_share(self, entry: &Entry) -> f64 {
+        self.thin_tip(entry) / self.spacings()
+    }
+
+    fn thin_tip(self, entry: &Entry) -> f64 {
+        match entry.bottom {
+            Bottom::Wedge { slope } if slope > 1.0 => THIN_TIP[usize::from(self.incompressible)] * slope * slope,
+            _ => 0.0,
+        }
+    }
+}
+
+/// The spacing that would do [m]; none does for a body that is not in the water.
+fn advice(spacing: f64) -> String {
+    match spacing > 0.0 {
+        true => format!(": {} m would do for resolution.spacing", significant(spacing)),
+        false => String::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::load;
+
+    fn entry(deadrise: f64) -> Entry {
+        let sets = [format!("body.deadrise_deg={deadrise}"), "body.breadth=200".to_string()];
+        load("wedge_constant", &sets).expect("a scene").scene.entry().expect("an entry")
+    }
+
+    /// An impulse at Mach 0.1 was 3.6 % low, with a band of 2.7 % for its draught.
+    #[test]
+    fn what_compressibility_takes_is_known_to_bands() {
+        let entry = entry(30.0);
+        let lost = |mach: f64| lost_beyond(Some(entry.root_speed() / mach), &entry);
+        assert!(lost(0.1).is_ok_and(|share| share > 0.02) && lost(0.02) == Ok(0.0) && lost(0.31).is_err());
+        assert_eq!(lost_beyond(None, &entry), Ok(0.0));
+    }
+
+    /// The force of the projection on steep wedges against the similarity solution, at 20 spacings of draught: +10 % (60°), +33 %
+    /// (75°), impulses +10 and +35 %.
+    #[test]
+    fn the_band_of_a_steep_wedge_holds_what_its_thin_tip_adds() {
+        let at = |draught: f64, incompressible| Depth { draught, spacing: 0.05, incompressible };
+        assert!(at(1.0, true).force_share(&entry(60.0)).is_ok_and(|share| share > 0.10));
+        assert!(at(1.0, true).impulse_share(&entry(60.0)).is_ok_and(|share| share > 0.10));
+        assert!(at(1.0, true).force_share(&entry(75.0)).is_ok_and(|share| share > 0.33));
+        assert!(at(1.0, true).force_share(&entry(79.0)).is_err());
+        assert!(at(1.0, false).force_share(&entry(75.0)).is_ok_and(|share| share < 0.2));
+        assert!(
+            at(1.0, true)
+                .impulse_share(&entry(75.0))
+                .is_err_and(|why| why.contains("m would do for resolution.spacing"))
+        );
+        assert!(at(0.5, false).force_share(&entry(30.0)).is_ok_and(|share| (share - 0.07).abs() < 1e-12));
+        // an oblique drop of 31 degrees at 9 spacings: 10.7 % below that at a third of its spacing
+        assert!(at(0.45, true).force_share(&entry(31.0)).is_ok_and(|share| share > 0.107));
+        assert!(at(0.2, false).impulse_share(&entry(30.0)).is_err_and(|why| why.contains("4 spacings")));
+        assert!(at(0.0, false).impulse_share(&entry(30.0)).is_err_and(|why| why.ends_with("6 are needed")));
+    }
+}

@@ -1,0 +1,7 @@
+//! The crate embeds its scenes and reference tables: rebuild when they change.
+
+fn main() {
+    for folder in ["scenes", "reference"] {
+        println!("cargo:rerun-if-changed={folder}");
+    }
+}
