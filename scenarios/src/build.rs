@@ -6,8 +6,7 @@ use fsi_coupling::{
     Body, Coupled, CouplingError, FlexibleBody, FlexibleSpec, Frame, ModalBody, ModalSpec, Outline, PlacedBodies,
     Plate, PrescribedBody, RigidBody2d, RigidMotion, RigidSpec, Shape, Tank, WallRows,
 };
-use sph_core::neighbours::images::Mirror;
-use sph_core::{Domain, Fluid};
+use sph_core::{Domain, Fluid, Mirror};
 use structure_fe::Damping;
 
 use crate::follow::Follower;

@@ -2,19 +2,19 @@
 
 use std::any::Any;
 
+use crate::contact;
 use crate::domain::Domain;
 use crate::error::Breakdown;
 use crate::memory::of_vector;
 use crate::neighbours::Neighbours;
 use crate::parallel;
-use crate::particles::refinement::RefinementZone;
 use crate::particles::totals::{FluidEnergy, Totals};
 use crate::particles::{Fields, Particles, Seed};
+use crate::refinement::RefinementZone;
 use crate::scheme::{Flow, Scheme, SchemeSettings};
 use crate::state_bytes::{StateError, decode, encode};
 use crate::system::{ParticleSystem, SavedSystem};
 use crate::timers::{Phase, Timers};
-use crate::walls::contact;
 use crate::walls::interface::WallInterface;
 use crate::walls::midline::{Passage, note_start_positions, passages};
 use crate::walls::{WallLayout, Walls};

@@ -7,8 +7,9 @@
 //! |---|---|
 //! | [`fluid`], [`scheme`], [`system`] | what is stepped, and how a scheme plugs in |
 //! | [`wcsph`], [`projection`] | the weakly compressible and the incompressible scheme |
-//! | [`interactions`], [`walls`] | the physics of two particles; boundary particles |
-//! | [`neighbours`], [`parallel`] | lists of neighbours; threads |
+//! | [`walls`], [`contact`] | boundary particles; fluid particles beyond a wall's surface |
+//! | [`kernel`], `interactions`, `forces` | kernels; the physics of two particles; forces on fluid and walls |
+//! | `neighbours`, [`parallel`] | lists of neighbours; threads |
 //! | `legacy` (a cargo feature, on by default) | schemes and options of 2010 |
 //!
 //! A dam break: water of 1 m by 1 m in the left half of a tank.
@@ -54,19 +55,26 @@
 //! ```
 
 pub mod auto;
+pub mod contact;
 pub mod damping_zone;
 pub mod domain;
 pub mod error;
 pub mod fluid;
+mod forces;
 pub mod interactions;
+pub mod kernel;
 #[cfg(feature = "legacy")]
 pub mod legacy;
 mod memory;
 pub mod neighbours;
 pub mod parallel;
 pub mod particles;
+pub mod planes;
+pub mod probe;
 pub mod projection;
+pub mod refinement;
 pub mod scheme;
+mod simd;
 pub mod state_bytes;
 pub mod system;
 pub mod timers;
@@ -79,11 +87,13 @@ pub use domain::{Domain, FluidSettings, Slip, Solver};
 pub use error::Breakdown;
 pub use fluid::Fluid;
 pub use interactions::dissipation::Dissipation;
-pub use interactions::kernel::Kernel;
+pub use kernel::Kernel;
 #[cfg(feature = "legacy")]
 pub use legacy::{DensityEvolution, DensityFilter, IdealGas, Integrator, ThesisSettings, Turbulence, WallModel};
-pub use particles::refinement::RefinementZone;
 pub use particles::{Particles, Seed};
+pub use planes::{Mirror, Periodic};
+pub use probe::Probe;
+pub use refinement::RefinementZone;
 pub use scheme::{Scheme, SchemeSettings};
 pub use state_bytes::StateError;
 pub use system::ParticleSystem;

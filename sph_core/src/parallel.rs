@@ -7,7 +7,7 @@ use std::ops::Range;
 
 use rayon::prelude::*;
 
-use crate::interactions::simd::with_simd;
+use crate::simd::with_simd;
 
 /// Targets per chunk.
 pub const CHUNK: usize = 128;

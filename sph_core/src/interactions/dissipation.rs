@@ -5,8 +5,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::interactions::geometry::{PairConstants, PairGeometry};
-use crate::interactions::kernel::{Kernel, Shape, WithKernel};
-use crate::interactions::simd::SimdReal;
+use crate::kernel::{Kernel, Shape, WithKernel};
+use crate::simd::SimdReal;
 
 /// What smooths pressures and velocities between fluid particles.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -124,9 +124,9 @@ pub(crate) fn with_pairs<T: WithPairs>(kernel: Kernel, dissipation: Dissipation,
 mod tests {
     use super::*;
     use crate::interactions::geometry::{MeanScale, pair_geometry};
-    use crate::interactions::kernel::WendlandC2;
     use crate::interactions::packed_particle::PackedParticle;
     use crate::interactions::pair::{density_rate, momentum};
+    use crate::kernel::WendlandC2;
 
     const WATER: PairConstants =
         PairConstants { gravity: [0.0, -9.81], rho0: 1000.0, c0: 50.0, delta: 0.0, alpha: 0.0, nu: 0.0, stretch: 0.0 };

@@ -2,11 +2,11 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::forces::PairTerms;
 use crate::interactions::dissipation::{PairDissipation, WithPairs, with_pairs};
-use crate::interactions::forces::PairTerms;
 use crate::interactions::geometry::{PairConstants, pair_geometry};
-use crate::interactions::kernel::Shape;
 use crate::interactions::pair;
+use crate::kernel::Shape;
 use crate::legacy::fluid_pairs;
 use crate::parallel;
 use crate::system::ParticleSystem;

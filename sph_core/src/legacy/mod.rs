@@ -18,8 +18,8 @@ mod updates;
 pub mod xsph;
 
 use crate::interactions::geometry::{PairGeometry, pair_geometry};
-use crate::interactions::kernel::Shape;
 use crate::interactions::packed_particle::PackedParticle;
+use crate::kernel::Shape;
 use crate::system::ParticleSystem;
 
 pub use compressible::Compressible;

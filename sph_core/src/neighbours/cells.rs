@@ -7,9 +7,9 @@
 
 use std::ops::Range;
 
-use crate::interactions::simd::LANES;
 use crate::memory::of_vector;
 pub use crate::neighbours::point::Point;
+use crate::simd::LANES;
 
 use crate::neighbours::levels::{Extent, Level, LevelBounds};
 use crate::neighbours::sorting::{Places, count_cells, place_points};

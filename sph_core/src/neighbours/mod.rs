@@ -4,12 +4,12 @@ pub mod cells;
 mod entries;
 mod expected;
 mod image_search;
-pub mod images;
 mod levels;
 pub mod lists;
 mod point;
 pub(crate) mod skin;
 mod sorting;
+pub(crate) mod visibility;
 
 use serde::{Deserialize, Serialize};
 
@@ -19,13 +19,13 @@ use crate::neighbours::entries::Entry;
 pub(crate) use crate::neighbours::expected::SKIN;
 use crate::neighbours::expected::{Expectation, Moving};
 use crate::neighbours::image_search::Planes;
-use crate::neighbours::images::{Mirror, Periodic};
 use crate::neighbours::lists::Lists;
 use crate::neighbours::skin::Skin;
+use crate::neighbours::visibility::{Listed, ThinWalls};
 use crate::parallel;
 use crate::particles::{Fields, Particles, Spare};
+use crate::planes::{Mirror, Periodic};
 use crate::state_bytes::{StateError, expect_count};
-use crate::walls::visibility::{Listed, ThinWalls};
 
 /// Wall particles at the moment of the search.
 #[derive(Clone, Copy)]

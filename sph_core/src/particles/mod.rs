@@ -4,8 +4,6 @@
 //! rebuild of the neighbour lists; [`Particles::id`] keeps a particle's identity through the sorting.
 
 mod fields;
-pub mod probe;
-pub mod refinement;
 pub mod totals;
 
 use serde::{Deserialize, Serialize};

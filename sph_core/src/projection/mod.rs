@@ -5,6 +5,7 @@
 
 mod forces;
 mod free_surface;
+mod lattice;
 mod linear_pressure;
 pub mod linear_solver;
 mod monolithic;
@@ -18,7 +19,8 @@ mod tests;
 
 use crate::domain::Domain;
 use crate::error::Breakdown;
-use crate::interactions::forces::PairTerms;
+use crate::forces::PairTerms;
+use crate::forces::interface_dynamics::accelerate_by_pairs;
 use crate::interactions::geometry::PairConstants;
 use crate::neighbours::SKIN;
 use crate::particles::Seed;
@@ -27,11 +29,10 @@ use crate::state_bytes::{StateError, decode, encode};
 use crate::system::ParticleSystem;
 use crate::timers::Phase;
 use crate::walls::Walls;
-use crate::walls::interface_dynamics::accelerate_by_pairs;
 
 use forces::PressureForces;
 use free_surface::detection::SurfaceDetection;
-use free_surface::lattice::Lattice;
+use lattice::Lattice;
 use linear_pressure::LinearPressure;
 use motion::{StepLimit, move_particles};
 use operators::Operators;

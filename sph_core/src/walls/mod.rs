@@ -3,14 +3,9 @@
 //! Owners (bodies, tank walls) keep their particles contiguous and in their own order. Before a step
 //! they write position, velocity and acceleration *at the end of the step*; after it they read forces.
 
-pub mod contact;
 pub mod interface;
-pub(crate) mod interface_dynamics;
 pub mod midline;
 pub(crate) mod outline;
-pub(crate) mod state;
-pub(crate) mod still_pressure;
-pub(crate) mod visibility;
 
 use std::ops::Range;
 

@@ -14,20 +14,20 @@ pub(crate) mod updates;
 
 use crate::domain::Domain;
 use crate::error::Breakdown;
-use crate::interactions::forces::PairTerms;
+use crate::forces::PairTerms;
+use crate::forces::interface_dynamics::accelerate_by_pairs;
+use crate::forces::still_pressure::StillPressure;
 use crate::interactions::gather::{DensityRate, PairSums};
 use crate::interactions::geometry::PairConstants;
 use crate::memory::of_vector;
 use crate::parallel;
 use crate::particles::KernelMoments;
-use crate::particles::refinement::refine;
+use crate::refinement::refine;
 use crate::scheme::{Flow, Scheme};
 use crate::state_bytes::{StateError, expect_count};
 use crate::system::ParticleSystem;
 use crate::timers::Phase;
 use crate::walls::Walls;
-use crate::walls::interface_dynamics::accelerate_by_pairs;
-use crate::walls::still_pressure::StillPressure;
 
 use eos::Tait;
 use rest::{hold_at_rest, release_all, release_drifted};

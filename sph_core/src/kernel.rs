@@ -7,8 +7,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 
-use crate::interactions::simd::{self, SimdReal, Task};
 use crate::parallel;
+use crate::simd::{self, SimdReal, Task};
 
 /// The kernels a scene may choose from; each is normalised on its own support of radius 2h.
 ///
