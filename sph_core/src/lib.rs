@@ -5,12 +5,15 @@
 //!
 //! | read | for |
 //! |---|---|
-//! | [`fluid`], [`scheme`], [`system`] | what is stepped, and how a scheme plugs in |
+//! | [`Fluid`], [`Scheme`] | what is stepped, and what a scheme is |
 //! | [`wcsph`], [`projection`] | the weakly compressible and the incompressible scheme |
+//! | [`Domain`], [`Kernel`], [`Dissipation`] | what schemes share |
 //! | [`walls`], [`contact`] | boundary particles; fluid particles beyond a wall's surface |
-//! | [`kernel`], `interactions`, `forces` | kernels; the physics of two particles; forces on fluid and walls |
-//! | `neighbours`, [`parallel`] | lists of neighbours; threads |
+//! | [`Probe`], [`particles`], [`neighbours`] | pressures at a point; state, totals and neighbours of particles |
+//! | [`parallel`], [`state_bytes`] | threads; checkpoints |
 //! | `legacy` (a cargo feature, on by default) | schemes and options of 2010 |
+//!
+//! Inside, `interactions` has the terms of a pair, `forces` their sums on fluid and walls, `simd` four targets at once.
 //!
 //! A dam break: water of 1 m by 1 m in the left half of a tank.
 //!
@@ -54,30 +57,31 @@
 //! # Ok::<(), sph_core::Breakdown>(())
 //! ```
 
-pub mod auto;
+mod auto;
 pub mod contact;
-pub mod damping_zone;
-pub mod domain;
-pub mod error;
-pub mod fluid;
+mod damping_zone;
+mod domain;
+mod error;
+mod fluid;
 mod forces;
-pub mod interactions;
-pub mod kernel;
+mod interactions;
+mod kernel;
 #[cfg(feature = "legacy")]
 pub mod legacy;
 mod memory;
 pub mod neighbours;
 pub mod parallel;
 pub mod particles;
-pub mod planes;
-pub mod probe;
+mod planes;
+mod probe;
 pub mod projection;
-pub mod refinement;
-pub mod scheme;
+mod random;
+mod refinement;
+mod scheme;
 mod simd;
 pub mod state_bytes;
-pub mod system;
-pub mod timers;
+mod system;
+mod timers;
 pub mod walls;
 pub mod wcsph;
 
@@ -92,9 +96,10 @@ pub use kernel::Kernel;
 pub use legacy::{DensityEvolution, DensityFilter, IdealGas, Integrator, ThesisSettings, Turbulence, WallModel};
 pub use particles::{Particles, Seed};
 pub use planes::{Mirror, Periodic};
-pub use probe::Probe;
+pub use probe::{FirstOrder, Probe};
+pub use random::SplitMix64;
 pub use refinement::RefinementZone;
-pub use scheme::{Scheme, SchemeSettings};
+pub use scheme::{Flow, Scheme, SchemeSettings};
 pub use state_bytes::StateError;
 pub use system::ParticleSystem;
 pub use timers::{Phase, Timers};

@@ -103,7 +103,7 @@ impl ParticleSystem {
     }
 
     /// Pack what the sums over pairs read, at the present positions and with the present lists.
-    pub fn pack(&mut self, walls: &Walls) {
+    pub(crate) fn pack(&mut self, walls: &Walls) {
         self.timers.begin(Phase::Pack);
         let mirror = self.domain.mirror;
         self.packed.pack(&self.particles, &self.fields, walls, &self.neighbours, mirror, &self.wall_state);

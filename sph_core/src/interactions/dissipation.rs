@@ -27,7 +27,7 @@ const LIMITER: f64 = 3.0;
 const NEAREST: f64 = 1e-9;
 
 /// The dissipative part of a pair: what WC3 gains by a difference of pressure, and WC5 by a closing speed.
-pub trait PairDissipation: Copy + Send + Sync + 'static {
+pub(crate) trait PairDissipation: Copy + Send + Sync + 'static {
     /// Length ℓ [m] of this pair in Σ V_b ℓ [p_a − p_b − ρ₀ g·r_ab] (r_ab·∇W_ab)/r² (WC4, WC8).
     fn length<R: SimdReal>(ab: &PairGeometry<R>) -> R;
     /// True if ℓ is the distance r.
@@ -40,13 +40,13 @@ pub trait PairDissipation: Copy + Send + Sync + 'static {
 
 /// WC4 and WC6.
 #[derive(Clone, Copy)]
-pub struct DiffusivePair;
+pub(crate) struct DiffusivePair;
 /// WC8 and WC9.
 #[derive(Clone, Copy)]
-pub struct RiemannPair;
+pub(crate) struct RiemannPair;
 /// Nothing: walls.
 #[derive(Clone, Copy)]
-pub struct ElasticPair;
+pub(crate) struct ElasticPair;
 
 impl PairDissipation for DiffusivePair {
     #[inline(always)]

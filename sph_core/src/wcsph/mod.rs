@@ -8,7 +8,7 @@ pub mod eos;
 mod rest;
 mod settings;
 pub(crate) mod shifting;
-pub mod split_explicit;
+mod split_explicit;
 pub(crate) mod step_limit;
 pub(crate) mod updates;
 
@@ -73,7 +73,7 @@ impl PressureLaw {
 
 impl Wcsph {
     /// The scheme for a domain.
-    pub fn new(domain: &Domain, settings: Settings) -> Wcsph {
+    pub(crate) fn new(domain: &Domain, settings: Settings) -> Wcsph {
         Wcsph { settings, eos: settings.equation_of_state(domain), density_rate: Vec::new() }
     }
 
@@ -120,7 +120,7 @@ impl Wcsph {
     }
 
     /// WC28, WC21: release particles that have drifted; split those inside the refinement zone, if there is one.
-    pub fn refine(&self, system: &mut ParticleSystem) {
+    pub(crate) fn refine(&self, system: &mut ParticleSystem) {
         release_drifted(&mut system.particles);
         let ParticleSystem { refinement_zone, particles, fields, neighbours, domain, .. } = system;
         if let Some(zone) = refinement_zone {

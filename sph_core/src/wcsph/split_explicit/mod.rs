@@ -106,11 +106,6 @@ impl SplitExplicit {
         }
     }
 
-    /// Its settings; they may change between steps.
-    pub fn settings_mut(&mut self) -> &mut Settings {
-        &mut self.base.settings
-    }
-
     /// WC22: one acoustic step, kick–drift–kick as WC11, with the geometry held.
     fn advance(&mut self, flow: &mut Flow<'_>, dt: f64) {
         if self.advective.is_over(dt) {
