@@ -3,8 +3,8 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::interactions::kernel::Kernel;
-use crate::neighbours::images::{Mirror, Periodic};
+use crate::kernel::Kernel;
+use crate::planes::{Mirror, Periodic};
 
 /// What the fluid does along a wall.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -81,8 +81,7 @@ pub struct Domain {
     /// The water starts at rest below a level surface and between walls: what accelerates its coarser particles then is an error of their
     /// grading, and is taken off (THEORY WC28; weakly compressible scheme).
     pub starts_level: bool,
-    /// Sum several targets side by side where the processor can (see [`crate::interactions::simd`]). False: one at a
-    /// time, for comparison.
+    /// Sum four targets side by side where the processor can. False: one at a time, for comparison.
     pub simd: bool,
 }
 

@@ -2,19 +2,19 @@
 
 use std::any::Any;
 
+use crate::contact;
 use crate::domain::Domain;
 use crate::error::Breakdown;
 use crate::memory::of_vector;
 use crate::neighbours::Neighbours;
 use crate::parallel;
-use crate::particles::refinement::RefinementZone;
 use crate::particles::totals::{FluidEnergy, Totals};
 use crate::particles::{Fields, Particles, Seed};
+use crate::refinement::RefinementZone;
 use crate::scheme::{Flow, Scheme, SchemeSettings};
 use crate::state_bytes::{StateError, decode, encode};
 use crate::system::{ParticleSystem, SavedSystem};
 use crate::timers::{Phase, Timers};
-use crate::walls::contact;
 use crate::walls::interface::WallInterface;
 use crate::walls::midline::{Passage, note_start_positions, passages};
 use crate::walls::{WallLayout, Walls};
@@ -125,13 +125,6 @@ impl Fluid {
         scheme.downcast_mut()
     }
 
-    /// The system with its scheme, if that is a `T`: to evaluate single terms of a scheme.
-    pub fn parts_mut<T: Scheme>(&mut self) -> Option<(&mut ParticleSystem, &mut T)> {
-        let Fluid { system, scheme, .. } = self;
-        let scheme: &mut dyn Any = scheme.as_mut();
-        scheme.downcast_mut().map(|scheme| (system, scheme))
-    }
-
     /// Fluid properties, gravity, kernel, bounding planes.
     pub fn domain(&self) -> &Domain {
         &self.system.domain
@@ -143,12 +136,13 @@ impl Fluid {
     }
 
     /// Particles with their neighbours.
-    pub fn system(&self) -> &ParticleSystem {
+    pub(crate) fn system(&self) -> &ParticleSystem {
         &self.system
     }
 
     /// The same, to evaluate single terms.
-    pub fn system_mut(&mut self) -> &mut ParticleSystem {
+    #[cfg(test)]
+    pub(crate) fn system_mut(&mut self) -> &mut ParticleSystem {
         &mut self.system
     }
 
@@ -376,7 +370,7 @@ impl Fluid {
     }
 
     /// The same by use [bytes].
-    pub fn bytes_by_use(&self) -> Vec<(&'static str, usize)> {
+    fn bytes_by_use(&self) -> Vec<(&'static str, usize)> {
         let ParticleSystem { particles, fields, packed, neighbours, wall_state, search_space, .. } = &self.system;
         let mut table = vec![
             ("state", particles.bytes()),

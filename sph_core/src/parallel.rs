@@ -7,10 +7,10 @@ use std::ops::Range;
 
 use rayon::prelude::*;
 
-use crate::interactions::simd::with_simd;
+use crate::simd::with_simd;
 
 /// Targets per chunk.
-pub const CHUNK: usize = 128;
+pub(crate) const CHUNK: usize = 128;
 
 /// Do `task` on a thread of the pool: the loops inside then start without waking the pool each time.
 pub fn within_pool<T: Send>(task: impl FnOnce() -> T + Send) -> T {
@@ -67,7 +67,7 @@ pub fn gather_into<T: Send>(out: &mut [T], gather: impl Fn(usize) -> T + Sync) {
 }
 
 /// `change(k, out[k])` for every target k.
-pub fn update<T: Send>(out: &mut [T], change: impl Fn(usize, &mut T) + Sync) {
+pub(crate) fn update<T: Send>(out: &mut [T], change: impl Fn(usize, &mut T) + Sync) {
     chunks_of(out, CHUNK, &|c, chunk| {
         for (k, slot) in chunk.iter_mut().enumerate() {
             change(c * CHUNK + k, slot);
@@ -81,7 +81,7 @@ pub fn by_chunk<T: Send>(n: usize, of: impl Fn(Range<usize>) -> T + Sync) -> Vec
 }
 
 /// `of(targets)` for every piece of `n` targets, in order.
-pub fn by_piece<T: Send>(n: usize, of: impl Fn(Range<usize>) -> T + Sync) -> Vec<T> {
+pub(crate) fn by_piece<T: Send>(n: usize, of: impl Fn(Range<usize>) -> T + Sync) -> Vec<T> {
     collect_of(n.div_ceil(PIECE), &|c| with_simd(|| of(chunk(c, PIECE, n))))
 }
 
@@ -115,7 +115,7 @@ pub fn sum<const N: usize>(n: usize, value: impl Fn(usize) -> [f64; N] + Sync) -
 }
 
 /// The least `value(k)` of `n` (infinity when there are none); `min` is exact, so any order gives the same bits.
-pub fn least(n: usize, value: impl Fn(usize) -> f64 + Sync) -> f64 {
+pub(crate) fn least(n: usize, value: impl Fn(usize) -> f64 + Sync) -> f64 {
     least_of(n.div_ceil(CHUNK), &|c| chunk(c, CHUNK, n).map(&value).fold(f64::INFINITY, f64::min))
 }
 
@@ -128,7 +128,10 @@ fn least_of(n: usize, value: &(dyn Fn(usize) -> f64 + Sync)) -> f64 {
 const PIECE: usize = 8 * CHUNK;
 
 /// `change(range, [a[range], b[range], …])` for every piece of arrays of one length.
-pub fn each<T: Send, const N: usize>(arrays: [&mut Vec<T>; N], change: impl Fn(Range<usize>, [&mut [T]; N]) + Sync) {
+pub(crate) fn each<T: Send, const N: usize>(
+    arrays: [&mut Vec<T>; N],
+    change: impl Fn(Range<usize>, [&mut [T]; N]) + Sync,
+) {
     let length = arrays.first().map_or(0, |a| a.len());
     let mut rest = arrays.map(|a| a.as_mut_slice().chunks_mut(PIECE));
     let pieces: Vec<[&mut [T]; N]> = (0..length.div_ceil(PIECE))
@@ -143,22 +146,22 @@ fn all_of(n: usize, holds: &(dyn Fn(usize) -> bool + Sync)) -> bool {
 }
 
 /// True if `holds(k)` for each of `n`.
-pub fn every(n: usize, holds: impl Fn(usize) -> bool + Sync) -> bool {
+pub(crate) fn every(n: usize, holds: impl Fn(usize) -> bool + Sync) -> bool {
     all_of(n.div_ceil(PIECE), &|c| with_simd(|| chunk(c, PIECE, n).fold(true, |all, k| all & holds(k))))
 }
 
 /// True if `holds(targets)` for every chunk of `n` targets.
-pub fn every_chunk(n: usize, holds: impl Fn(Range<usize>) -> bool + Sync) -> bool {
+pub(crate) fn every_chunk(n: usize, holds: impl Fn(Range<usize>) -> bool + Sync) -> bool {
     all_of(n.div_ceil(CHUNK), &|c| with_simd(|| holds(chunk(c, CHUNK, n))))
 }
 
 /// Fill a list for every chunk of `n` targets.
-pub fn for_each_chunk<T: Send>(lists: &mut [T], n: usize, fill: impl Fn(Range<usize>, &mut T) + Sync) {
+pub(crate) fn for_each_chunk<T: Send>(lists: &mut [T], n: usize, fill: impl Fn(Range<usize>, &mut T) + Sync) {
     update_pieces(lists, 1, |c, list| fill(chunk(c, CHUNK, n), &mut list[0]));
 }
 
 /// Fill a list for every chunk of `n` targets, with something `made` to work with.
-pub fn for_each_chunk_with<T: Send, S>(
+pub(crate) fn for_each_chunk_with<T: Send, S>(
     lists: &mut [T],
     n: usize,
     made: impl Fn() -> S + Sync + Send,
@@ -170,7 +173,7 @@ pub fn for_each_chunk_with<T: Send, S>(
 
 /// `parts[c] ← change(targets, chunk)` for every chunk of `out`: changes targets and gives the chunk's part of a sum. Add
 /// the parts in order, and the bits of the sum do not depend on the number of threads.
-pub fn update_chunks<T: Send, S: Send>(
+pub(crate) fn update_chunks<T: Send, S: Send>(
     parts: &mut [S],
     out: &mut [T],
     change: impl Fn(Range<usize>, &mut [T]) -> S + Sync,
@@ -180,7 +183,7 @@ pub fn update_chunks<T: Send, S: Send>(
 }
 
 /// `change(k, a[k], b[k])` for every target k.
-pub fn update_both<T: Send>(a: &mut [T], b: &mut [T], change: impl Fn(usize, &mut T, &mut T) + Sync) {
+pub(crate) fn update_both<T: Send>(a: &mut [T], b: &mut [T], change: impl Fn(usize, &mut T, &mut T) + Sync) {
     both_chunks_of((a, CHUNK), (b, CHUNK), &|c, a, b| {
         for (k, (a, b)) in a.iter_mut().zip(b).enumerate() {
             change(c * CHUNK + k, a, b);
@@ -189,7 +192,7 @@ pub fn update_both<T: Send>(a: &mut [T], b: &mut [T], change: impl Fn(usize, &mu
 }
 
 /// [`update_chunks`] of two arrays at once.
-pub fn update_both_chunks<T: Send, S: Send>(
+pub(crate) fn update_both_chunks<T: Send, S: Send>(
     parts: &mut [S],
     a: &mut [T],
     b: &mut [T],
@@ -208,12 +211,12 @@ pub fn update_pieces<T: Send>(out: &mut [T], length: usize, change: impl Fn(usiz
 }
 
 /// `of(c)` for each of `n` pieces, in order.
-pub fn map_pieces<T: Send>(n: usize, of: impl Fn(usize) -> T + Send + Sync) -> Vec<T> {
+pub(crate) fn map_pieces<T: Send>(n: usize, of: impl Fn(usize) -> T + Send + Sync) -> Vec<T> {
     collect_of(n, &of)
 }
 
 /// `change(c, pieces[c])` for every piece.
-pub fn each_piece<T: Send>(pieces: Vec<T>, change: impl Fn(usize, T) + Sync) {
+pub(crate) fn each_piece<T: Send>(pieces: Vec<T>, change: impl Fn(usize, T) + Sync) {
     pieces_of(pieces, &change);
 }
 

@@ -47,7 +47,7 @@ pub fn expect_count(what: &'static str, found: usize, expected: usize) -> Result
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::neighbours::images::Periodic;
+    use crate::planes::Periodic;
     use crate::{Domain, Fluid, SchemeSettings, Seed, Walls, projection, wcsph};
 
     #[test]

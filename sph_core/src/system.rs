@@ -9,8 +9,8 @@ use crate::interactions::packed::Packed;
 use crate::interactions::pair::Extrapolated;
 use crate::neighbours::{Neighbours, SearchSpace};
 use crate::parallel;
-use crate::particles::refinement::RefinementZone;
 use crate::particles::{Fields, Particles};
+use crate::refinement::RefinementZone;
 use crate::state_bytes::{StateError, decode, encode, expect_count};
 use crate::timers::{Phase, Timers};
 use crate::walls::Walls;
@@ -103,7 +103,7 @@ impl ParticleSystem {
     }
 
     /// Pack what the sums over pairs read, at the present positions and with the present lists.
-    pub fn pack(&mut self, walls: &Walls) {
+    pub(crate) fn pack(&mut self, walls: &Walls) {
         self.timers.begin(Phase::Pack);
         let mirror = self.domain.mirror;
         self.packed.pack(&self.particles, &self.fields, walls, &self.neighbours, mirror, &self.wall_state);

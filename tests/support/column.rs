@@ -1,8 +1,7 @@
 //! A piston under a column of real water, which it meets once a window: explicit coupling of any step (THEORY CO11).
 
 use crate::parameters::Parameters;
-use sph_core::neighbours::images::Periodic;
-use sph_core::{Breakdown, Fluid, WallPoint, Walls};
+use sph_core::{Breakdown, Fluid, Periodic, WallPoint, Walls};
 
 use crate::bare::{lattice, parameters};
 

@@ -1,12 +1,11 @@
 //! Every option of every scheme in one flat list, for tests that vary one at a time.
 
 use sph_core::legacy::{self, DiffusionForm, EquationOfState, Options};
-use sph_core::neighbours::images::{Mirror, Periodic};
 use sph_core::projection::{self, Projection};
 use sph_core::wcsph::{self, Wcsph, eos::Tait};
 use sph_core::{
-    Dissipation, Domain, Fluid, FluidSettings, Integrator, Kernel, SchemeSettings, Seed, Slip, Solver, WallLayout,
-    WallModel,
+    Dissipation, Domain, Fluid, FluidSettings, Integrator, Kernel, Mirror, Periodic, SchemeSettings, Seed, Slip,
+    Solver, WallLayout, WallModel,
 };
 
 /// Domain and scheme of a fluid.

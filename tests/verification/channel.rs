@@ -4,8 +4,7 @@
 use evidence::bare::{advance, lattice, parameters};
 use evidence::parameters::Parameters;
 use scene::reference::Table;
-use sph_core::neighbours::images::Periodic;
-use sph_core::{Fluid, Slip, WallPoint, Walls};
+use sph_core::{Fluid, Periodic, Slip, WallPoint, Walls};
 
 /// Distance of the plates [m].
 const GAP: f64 = 1e-3;

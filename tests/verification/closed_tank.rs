@@ -3,9 +3,8 @@
 
 use evidence::bare::{advance, lattice, parameters};
 use evidence::parameters::{Parameters, projection_of};
-use sph_core::neighbours::images::Periodic;
 use sph_core::projection::Settings;
-use sph_core::{Breakdown, Fluid, Solver, WallPoint, Walls};
+use sph_core::{Breakdown, Fluid, Periodic, Solver, WallPoint, Walls};
 
 const HEIGHT: f64 = 1.0;
 const ROWS: usize = 20;

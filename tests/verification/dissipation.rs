@@ -4,8 +4,7 @@ use std::f64::consts::PI;
 
 use evidence::bare::{advance, lattice};
 use evidence::parameters::Parameters;
-use sph_core::neighbours::images::Periodic;
-use sph_core::{Dissipation, Fluid, Walls};
+use sph_core::{Dissipation, Fluid, Periodic, Walls};
 
 use super::acoustics::lossless;
 

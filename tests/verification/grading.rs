@@ -2,9 +2,8 @@
 
 use evidence::parameters::Parameters;
 use evidence::systems::{advance, system};
-use sph_core::neighbours::images::Periodic;
 use sph_core::wcsph::eos::Tait;
-use sph_core::{Fluid, Seed, Walls};
+use sph_core::{Fluid, Periodic, Seed, Walls};
 
 const SOUND: f64 = 50.0;
 const DENSITY: f64 = 1000.0;

@@ -32,7 +32,6 @@ mod kernel_sums;
 mod leaving_water;
 mod links;
 mod modal;
-mod options;
 mod potential_flow;
 mod potential_flow_bent;
 mod projection_bodies;

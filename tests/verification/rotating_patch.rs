@@ -5,8 +5,7 @@ use std::f64::consts::PI;
 
 use evidence::bare::{advance, lattice, parameters};
 use scene::reference::Table;
-use sph_core::particles::probe::Probe;
-use sph_core::{Fluid, Walls};
+use sph_core::{Fluid, Probe, Walls};
 
 /// A patch of side 1 m that turns at −1 rad/s, without pressure at first.
 fn patch(cells: usize, sound: f64) -> Fluid {

@@ -3,8 +3,7 @@
 use std::f64::consts::TAU;
 
 use evidence::systems::{advance, lift, scene, system, take};
-use sph_core::neighbours::images::Periodic;
-use sph_core::{Domain, Fluid, Seed, Walls, wcsph};
+use sph_core::{Domain, Fluid, Periodic, Seed, Walls, wcsph};
 
 const CELLS: usize = 32;
 

@@ -23,7 +23,7 @@ fn wave(spacing: f64, omega: f64, dissipation: &str) -> Coupled {
     let scene = scene("hydrostatic_tank", &[&format!("resolution.spacing={spacing}"), dissipation]);
     let (k, depth) = (std::f64::consts::PI, 1.0);
     let speed = STEEPNESS / k * omega / (k * depth).sinh();
-    let (layout, still) = (build::layout(&scene), build::build(&scene).expect("a still tank"));
+    let (layout, still) = (scene::layout(&scene), build::build(&scene).expect("a still tank"));
     let mut seeds = Vec::new();
     layout.for_each(|cell| {
         let (x, height) = (cell.at[0] + 0.5, cell.at[1] + depth);

@@ -4,7 +4,7 @@ use evidence::long::with_long;
 use evidence::statistics::mean;
 use evidence::systems::{advance, lift, system};
 use fsi_coupling::Coupled;
-use sph_core::particles::probe::Probe;
+use sph_core::Probe;
 
 /// ρ g [Pa/m] of every scene.
 const WEIGHT: f64 = 1000.0 * 9.81;

@@ -9,8 +9,7 @@ use std::f64::consts::PI;
 use evidence::bare::{advance, lattice, parameters};
 use evidence::parameters::Parameters;
 use scene::reference::Table;
-use sph_core::neighbours::images::Periodic;
-use sph_core::{Dissipation, Fluid, Seed, Solver, Walls};
+use sph_core::{Dissipation, Fluid, Periodic, Seed, Solver, Walls};
 
 /// Re = U L/ν with U = 1 m/s, L = 1 m.
 const REYNOLDS: f64 = 100.0;

@@ -5,7 +5,7 @@ use evidence::statistics::mean;
 use evidence::systems::{advance, system, take};
 use fsi_coupling::{Coupled, PrescribedBody, RigidBody2d, RigidSpec};
 use rayon::ThreadPoolBuilder;
-use sph_core::particles::probe::Probe;
+use sph_core::Probe;
 
 const SPACING: f64 = 0.02;
 

@@ -3,7 +3,7 @@
 //! Pressure keeps water out of walls as long as it flows in layers. A single particle of a jet, or one at a sharp corner, meets
 //! the outline itself: it is put back on the surface, and its approach is stopped by an inelastic impulse that acts on the body too.
 
-use sph_core::walls::contact::{self, Impulse};
+use sph_core::contact::{self, Impulse};
 use sph_core::{Fluid, Passage};
 
 use crate::bodies::body::Body;

@@ -1,8 +1,7 @@
 //! Packed water around a body at t = 0 (THEORY WC20): the number of cells is that of the free area, their positions are relaxed.
 
-use sph_core::Walls;
-use sph_core::interactions::kernel::Kernel;
 use sph_core::neighbours::cells::{Cells, Point};
+use sph_core::{Kernel, Walls};
 
 use crate::geometry::layout::Cell;
 

@@ -8,7 +8,7 @@ use fsi_coupling::{
 use sph_core::Fluid;
 use structure_fe::Damping;
 
-pub use scene::{Follower, Modes, Motion, Moved, PanelEnd, Scene, Symmetry, domain, layout, rows};
+use scene::{Follower, Modes, Motion, Moved, PanelEnd, Scene, Symmetry, domain, layout, rows};
 
 use crate::initial_fluid::initial_fluid;
 

@@ -5,8 +5,7 @@ use std::f64::consts::TAU;
 use std::time::Instant;
 
 use serde::Serialize;
-use sph_core::neighbours::images::Periodic;
-use sph_core::{Domain, Fluid, Phase, Seed, Walls, parallel, wcsph};
+use sph_core::{Domain, Fluid, Periodic, Phase, Seed, Walls, parallel, wcsph};
 
 use super::error::BenchError;
 

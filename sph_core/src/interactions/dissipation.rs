@@ -5,8 +5,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::interactions::geometry::{PairConstants, PairGeometry};
-use crate::interactions::kernel::{Kernel, Shape, WithKernel};
-use crate::interactions::simd::SimdReal;
+use crate::kernel::{Kernel, Shape, WithKernel};
+use crate::simd::SimdReal;
 
 /// What smooths pressures and velocities between fluid particles.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -27,7 +27,7 @@ const LIMITER: f64 = 3.0;
 const NEAREST: f64 = 1e-9;
 
 /// The dissipative part of a pair: what WC3 gains by a difference of pressure, and WC5 by a closing speed.
-pub trait PairDissipation: Copy + Send + Sync + 'static {
+pub(crate) trait PairDissipation: Copy + Send + Sync + 'static {
     /// Length ℓ [m] of this pair in Σ V_b ℓ [p_a − p_b − ρ₀ g·r_ab] (r_ab·∇W_ab)/r² (WC4, WC8).
     fn length<R: SimdReal>(ab: &PairGeometry<R>) -> R;
     /// True if ℓ is the distance r.
@@ -40,13 +40,13 @@ pub trait PairDissipation: Copy + Send + Sync + 'static {
 
 /// WC4 and WC6.
 #[derive(Clone, Copy)]
-pub struct DiffusivePair;
+pub(crate) struct DiffusivePair;
 /// WC8 and WC9.
 #[derive(Clone, Copy)]
-pub struct RiemannPair;
+pub(crate) struct RiemannPair;
 /// Nothing: walls.
 #[derive(Clone, Copy)]
-pub struct ElasticPair;
+pub(crate) struct ElasticPair;
 
 impl PairDissipation for DiffusivePair {
     #[inline(always)]
@@ -124,9 +124,9 @@ pub(crate) fn with_pairs<T: WithPairs>(kernel: Kernel, dissipation: Dissipation,
 mod tests {
     use super::*;
     use crate::interactions::geometry::{MeanScale, pair_geometry};
-    use crate::interactions::kernel::WendlandC2;
     use crate::interactions::packed_particle::PackedParticle;
     use crate::interactions::pair::{density_rate, momentum};
+    use crate::kernel::WendlandC2;
 
     const WATER: PairConstants =
         PairConstants { gravity: [0.0, -9.81], rho0: 1000.0, c0: 50.0, delta: 0.0, alpha: 0.0, nu: 0.0, stretch: 0.0 };

@@ -5,14 +5,14 @@ use std::marker::PhantomData;
 use crate::domain::Domain;
 use crate::interactions::dissipation::{Dissipation, ElasticPair, PairDissipation, WithPairs, with_pairs};
 use crate::interactions::geometry::{MeanScale, PairConstants, UniformScale};
-use crate::interactions::kernel::{self, Kernel, Shape, WithKernel};
 use crate::interactions::packed_particle::{PackedParticle, PackedWall};
 use crate::interactions::pair::{self, Extrapolated, Gathered};
-use crate::interactions::simd::{LANES, SimdReal, Task};
+use crate::kernel::{self, Kernel, Shape, WithKernel};
 use crate::neighbours::Neighbours;
 use crate::neighbours::lists::{Lists, NONE};
 use crate::parallel::{self, CHUNK};
 use crate::particles::KernelMoments;
+use crate::simd::{LANES, SimdReal, Task};
 
 /// The sum of each target over its neighbours, several targets side by side.
 pub(crate) trait Gather: Sync {

@@ -1,7 +1,7 @@
 //! Geometry of a pair: distance, mean smoothing length, kernel and its gradient (THEORY OP2, OP3).
 
-use crate::interactions::kernel::Shape;
-use crate::interactions::simd::SimdReal;
+use crate::kernel::Shape;
+use crate::simd::SimdReal;
 
 /// Numbers that every pair shares.
 #[derive(Clone, Copy, Debug)]

@@ -3,13 +3,13 @@
 use crate::interactions::packed_particle::{PackedParticle, PackedWall};
 use crate::interactions::pair::Extrapolated;
 use crate::memory::of_vector;
-use crate::neighbours::images::Mirror;
+use crate::neighbours::visibility::ThinWalls;
 use crate::neighbours::{Neighbours, WallKinematics};
 use crate::parallel;
 use crate::particles::{Fields, Particles};
+use crate::planes::Mirror;
 use crate::walls::Walls;
 use crate::walls::midline::PlateMidline;
-use crate::walls::visibility::ThinWalls;
 
 /// Packed particles of fluid and walls; indices at and above the number of particles are images, as in [`Neighbours`].
 #[derive(Default)]

@@ -1,7 +1,7 @@
 //! A particle as its neighbours read it: one cache line.
 
-use crate::interactions::simd::SimdReal;
 use crate::neighbours::lists::Splat;
+use crate::simd::SimdReal;
 
 /// A particle as its neighbours see it: one cache line. For a wall particle, velocity and pressure are
 /// those that the fluid is to feel (THEORY WA3–WA5) and both volumes are the area it stands for.

@@ -1,17 +1,17 @@
 //! The pair physics: one readable page. Target a, neighbour b; everything per metre of span.
 //!
 //! Each function gathers one target's sum over its neighbours, or those of several targets side by side
-//! ([`crate::interactions::simd`]). Forces between fluid and wall come from one function with the roles swapped, so that action equals
+//! ([`crate::simd`]). Forces between fluid and wall come from one function with the roles swapped, so that action equals
 //! reaction to rounding.
 
 use serde::{Deserialize, Serialize};
 
 use crate::interactions::dissipation::{ElasticPair, PairDissipation};
 use crate::interactions::geometry::{MeanScale, PairConstants, PairGeometry, ScaleRule};
-use crate::interactions::kernel::Shape;
 use crate::interactions::packed_particle::{PackedParticle, PackedWall};
-use crate::interactions::simd::{LANES, SimdReal};
+use crate::kernel::Shape;
 use crate::particles::KernelMoments;
+use crate::simd::{LANES, SimdReal};
 
 /// WC3 + WC4 (WC8): dρ_a/dt [kg/(m³ s)] from the divergence of velocity and the density diffusion.
 #[inline(always)]
@@ -246,7 +246,7 @@ fn smallest_eigenvalue<R: SimdReal>(m: [R; 3]) -> R {
 mod tests {
     use super::*;
     use crate::interactions::dissipation::DiffusivePair;
-    use crate::interactions::kernel::WendlandC2;
+    use crate::kernel::WendlandC2;
 
     fn constants() -> PairConstants {
         PairConstants { gravity: [0.3, -9.81], rho0: 1000.0, c0: 50.0, delta: 0.1, alpha: 0.05, nu: 1e-3, stretch: 1.0 }

@@ -1,7 +1,9 @@
 //! The weakly compressible scheme with the options of 2010 (THEORY LE3–LE14, LE15–LE17).
 
 use crate::domain::Domain;
-use crate::interactions::forces::{Forces, PairTerms, gather_fluid_forces, gather_wall_forces};
+use crate::forces::interface_dynamics::solve_interfaces;
+use crate::forces::wall_state::{extrapolate_to_walls, set_wall_state};
+use crate::forces::{Forces, PairTerms, gather_fluid_forces, gather_wall_forces};
 use crate::interactions::geometry::PairConstants;
 use crate::interactions::pair::Extrapolated;
 use crate::legacy::density_filter::smooth_density;
@@ -19,8 +21,6 @@ use crate::scheme::Flow;
 use crate::system::ParticleSystem;
 use crate::timers::Phase;
 use crate::walls::Walls;
-use crate::walls::interface_dynamics::solve_interfaces;
-use crate::walls::state::{extrapolate_to_walls, set_wall_state};
 use crate::wcsph::Wcsph;
 use crate::wcsph::shifting::even_out;
 use crate::wcsph::step_limit::rebuild_lists;

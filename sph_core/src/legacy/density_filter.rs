@@ -1,8 +1,8 @@
 //! Density filters (THEORY LE6, LE7): every so many steps the density field is smoothed, as the thesis's
 //! `i_densityFilter` has it. Fluid neighbours only.
 
-use crate::interactions::kernel::{Shape, TargetSum};
 use crate::interactions::packed_particle::PackedParticle;
+use crate::kernel::{Shape, TargetSum};
 use crate::legacy::{FluidPair, fluid_pairs};
 use crate::system::ParticleSystem;
 use crate::timers::Phase;
@@ -98,7 +98,7 @@ pub fn smooth_density(system: &mut ParticleSystem, linear: bool, gamma: Option<f
 mod tests {
     use super::*;
     use crate::interactions::geometry::pair_geometry;
-    use crate::interactions::kernel::WendlandC2;
+    use crate::kernel::WendlandC2;
 
     /// An uneven one-sided cloud, as at a free surface, and a density on it.
     fn filtered(rho: impl Fn(f64, f64) -> f64) -> (Moments, f64) {

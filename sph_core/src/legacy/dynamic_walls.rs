@@ -4,8 +4,8 @@
 use serde::{Deserialize, Serialize};
 
 use crate::interactions::geometry::kernel_and_gradient;
-use crate::interactions::kernel::{Shape, TargetSum};
 use crate::interactions::packed_particle::PackedParticle;
+use crate::kernel::{Shape, TargetSum};
 use crate::neighbours::lists::Lists;
 use crate::wcsph::eos::Tait;
 

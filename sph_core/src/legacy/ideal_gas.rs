@@ -2,17 +2,17 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::forces::PairTerms;
 use crate::interactions::dissipation::{PairDissipation, WithPairs, with_pairs};
-use crate::interactions::forces::PairTerms;
 use crate::interactions::geometry::{PairConstants, pair_geometry};
-use crate::interactions::kernel::Shape;
 use crate::interactions::pair;
+use crate::kernel::Shape;
 use crate::legacy::fluid_pairs;
 use crate::parallel;
 use crate::system::ParticleSystem;
 
 /// Molar gas constant R [J/(mol K)] (exact in the SI of 2019).
-pub const GAS_CONSTANT: f64 = 8.314_462_618_153_24;
+pub(crate) const GAS_CONSTANT: f64 = 8.314_462_618_153_24;
 
 /// LE11: p = ρ R T/M − p₀, with T = (γ − 1) M e/R and p₀ = ρ₀ R T₀/M: the pressure over that of the gas at rest, so that a
 /// free surface is one of the pressure p₀. (M. Pilorget 2010, eq. 15, has the absolute pressure.)
@@ -51,7 +51,7 @@ impl IdealGas {
     }
 
     /// e − e₀ + p₀/ρ − p₀/ρ₀ [J/kg]: what the gas holds over its state at rest, under the pressure p₀ around it.
-    pub fn energy_over_rest(&self, rho: f64, energy: f64) -> f64 {
+    pub(crate) fn energy_over_rest(&self, rho: f64, energy: f64) -> f64 {
         energy - self.energy_at_rest() + self.ambient() * (1.0 / rho - 1.0 / self.rho0)
     }
 

@@ -1,13 +1,13 @@
 //! Pressure at a wall particle from its mirror point in the fluid (THEORY LE17; English et al. 2022).
 
+use crate::forces::wall_state::set_wall_state;
 use crate::interactions::geometry::kernel_and_gradient;
-use crate::interactions::kernel::{Shape, TargetSum};
 use crate::interactions::packed_particle::PackedParticle;
 use crate::interactions::pair::Extrapolated;
+use crate::kernel::{Shape, TargetSum};
 use crate::system::ParticleSystem;
 use crate::timers::Phase;
 use crate::walls::Walls;
-use crate::walls::state::set_wall_state;
 
 /// Below this determinant the first-order system is not trusted (English et al. 2022): Shepard's mean instead.
 const LEAST_DETERMINANT: f64 = 1e-3;
@@ -86,7 +86,7 @@ fn determinant(m: [[f64; 3]; 3]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::interactions::kernel::WendlandC2;
+    use crate::kernel::WendlandC2;
 
     #[test]
     fn a_linear_field_reaches_the_wall_exactly() {

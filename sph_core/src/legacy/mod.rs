@@ -2,27 +2,28 @@
 //! is the weakly compressible scheme with other integrators, density filters, walls, turbulence and an ideal gas;
 //! [`pilorget2010`] is the thesis's projection.
 
-pub mod compressible;
-pub mod density_filter;
-pub(crate) mod dynamic_walls;
-pub mod ideal_gas;
-pub(crate) mod mirror_point;
-pub(crate) mod multistep;
+mod compressible;
+mod density_filter;
+mod dynamic_walls;
+mod ideal_gas;
+mod mirror_point;
+mod multistep;
 pub mod pilorget2010;
-pub(crate) mod repulsive;
-pub mod settings;
+mod repulsive;
+mod settings;
 mod steps;
-pub mod summation;
-pub mod turbulence;
+mod summation;
+#[cfg(test)]
+mod tests;
+mod turbulence;
 mod updates;
-pub mod xsph;
+mod xsph;
 
 use crate::interactions::geometry::{PairGeometry, pair_geometry};
-use crate::interactions::kernel::Shape;
 use crate::interactions::packed_particle::PackedParticle;
+use crate::kernel::Shape;
 use crate::system::ParticleSystem;
 
-pub use compressible::Compressible;
 pub use ideal_gas::IdealGas;
 pub use pilorget2010::ThesisSettings;
 pub use settings::*;

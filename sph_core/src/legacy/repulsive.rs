@@ -1,6 +1,6 @@
 //! Repulsive walls (THEORY LE15): a row of points, half a spacing below the surface, that push along their normals.
 
-use crate::interactions::forces::Forces;
+use crate::forces::Forces;
 use crate::interactions::packed_particle::{PackedParticle, PackedWall};
 use crate::parallel;
 use crate::system::ParticleSystem;

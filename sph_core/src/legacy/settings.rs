@@ -229,7 +229,7 @@ impl Settings {
     }
 
     /// The gas, if the fluid is one; its ratio of specific heats is the equation of state's exponent.
-    pub fn gas(&self, domain: &Domain) -> Option<IdealGas> {
+    pub(crate) fn gas(&self, domain: &Domain) -> Option<IdealGas> {
         let Options { temperature, molar_mass, equation_of_state, .. } = self.options;
         let gas = IdealGas { rho0: domain.fluid.density, gamma: self.scheme.eos_exponent, temperature, molar_mass };
         (equation_of_state == EquationOfState::IdealGas).then_some(gas)

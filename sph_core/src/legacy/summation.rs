@@ -1,7 +1,7 @@
 //! Density by summation (THEORY LE13), for comparison: it fails at a free surface.
 
 use crate::interactions::geometry::pair_geometry;
-use crate::interactions::kernel::{Shape, TargetSum};
+use crate::kernel::{Shape, TargetSum};
 use crate::legacy::fluid_pairs;
 use crate::system::ParticleSystem;
 use crate::timers::Phase;

@@ -1,8 +1,8 @@
 //! Sub-particle-scale turbulence (THEORY LE9, LE10): stresses, then their divergence. Fluid pairs only.
 
-use crate::interactions::forces::Forces;
-use crate::interactions::kernel::{Shape, TargetSum};
+use crate::forces::Forces;
 use crate::interactions::packed_particle::PackedParticle;
+use crate::kernel::{Shape, TargetSum};
 use crate::legacy::{FluidPair, fluid_pairs};
 use crate::system::ParticleSystem;
 use crate::timers::Phase;
@@ -117,7 +117,7 @@ pub(crate) fn add_eddy_forces(system: &mut ParticleSystem, forces: &mut Forces) 
 mod tests {
     use super::*;
     use crate::interactions::geometry::pair_geometry;
-    use crate::interactions::kernel::WendlandC2;
+    use crate::kernel::WendlandC2;
 
     fn pairs<'a>(a: &PackedParticle, near: &'a [PackedParticle]) -> Vec<FluidPair<'a>> {
         let geometry = |b: &PackedParticle| pair_geometry::<WendlandC2>(a.x, a.y, a.h, b.x, b.y, b.h);

@@ -1,6 +1,6 @@
 //! XSPH (THEORY LE8): particles move with a velocity smoothed over their neighbours; momentum does not notice.
 
-use crate::interactions::kernel::{Shape, TargetSum};
+use crate::kernel::{Shape, TargetSum};
 use crate::legacy::fluid_pairs;
 use crate::system::ParticleSystem;
 

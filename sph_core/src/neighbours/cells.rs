@@ -7,9 +7,9 @@
 
 use std::ops::Range;
 
-use crate::interactions::simd::LANES;
 use crate::memory::of_vector;
 pub use crate::neighbours::point::Point;
+use crate::simd::LANES;
 
 use crate::neighbours::levels::{Extent, Level, LevelBounds};
 use crate::neighbours::sorting::{Places, count_cells, place_points};
@@ -74,7 +74,7 @@ impl Cells {
     }
 
     /// The points in sorted order.
-    pub fn points(&self) -> &[Point] {
+    pub(crate) fn points(&self) -> &[Point] {
         &self.points
     }
 
@@ -95,7 +95,7 @@ impl Cells {
     }
 
     /// True if `at` may meet any point.
-    pub fn any_meets(&self, at: &Point) -> bool {
+    pub(crate) fn any_meets(&self, at: &Point) -> bool {
         self.levels.iter().any(|level| {
             let cut = at.farthest() + level.widest;
             let rows = level.span(0, at.x, at.x, cut).and_then(|_| level.span(1, at.y, at.y, cut));
@@ -119,7 +119,7 @@ impl Cells {
     /// Call `found` with runs of [`Cells::points`], in order and none twice: among them are all that any point of `at` (at
     /// most [`LANES`]) may meet.
     #[inline(always)]
-    pub fn for_each_run(&self, at: &[Point], mut found: impl FnMut(Range<usize>)) {
+    pub(crate) fn for_each_run(&self, at: &[Point], mut found: impl FnMut(Range<usize>)) {
         let all = Extent::of(at);
         for level in &self.levels {
             let cut = all.farthest + level.widest;

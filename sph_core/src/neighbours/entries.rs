@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::interactions::simd::LANES;
 use crate::memory::of_vector;
+use crate::simd::LANES;
 
 /// A neighbour of a cluster: its index, and above it a bit for each target that may meet it.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]

@@ -1,8 +1,8 @@
 //! Where particles are expected while lists last, and how far they may go astray of that.
 
 use crate::neighbours::cells::Point;
+use crate::neighbours::visibility::ThinWalls;
 use crate::parallel;
-use crate::walls::visibility::ThinWalls;
 
 /// Skin that even a particle at rest usually gets, in smoothing lengths.
 pub(crate) const SKIN: f64 = 0.03;

@@ -1,8 +1,8 @@
 //! The images of particles that have a neighbour in front of a plane of symmetry, or in the periodic cell (THEORY OP8, OP9).
 
 use crate::neighbours::cells::{Cells, Point};
-use crate::neighbours::images::{Mirror, Periodic};
 use crate::parallel;
+use crate::planes::{Mirror, Periodic};
 
 /// An image and where it came from: a point with the index of its source, and its translation where images repeat [m].
 #[derive(Clone, Copy)]

@@ -11,11 +11,11 @@ use std::ops::Range;
 
 use serde::{Deserialize, Serialize};
 
-use crate::interactions::simd::{self, LANES, SimdReal, Task};
 use crate::memory::of_vector;
 use crate::neighbours::cells::{Cells, Point};
 use crate::neighbours::entries::{Entries, Entry, MOST_POINTS};
 use crate::parallel::{self, CHUNK};
+use crate::simd::{self, LANES, SimdReal, Task};
 use crate::state_bytes::{StateError, expect_count};
 
 /// What a sum over pairs reads of a neighbour, spread over the lanes of its targets.

@@ -4,12 +4,12 @@ pub mod cells;
 mod entries;
 mod expected;
 mod image_search;
-pub mod images;
 mod levels;
-pub mod lists;
+pub(crate) mod lists;
 mod point;
 pub(crate) mod skin;
 mod sorting;
+pub(crate) mod visibility;
 
 use serde::{Deserialize, Serialize};
 
@@ -19,17 +19,17 @@ use crate::neighbours::entries::Entry;
 pub(crate) use crate::neighbours::expected::SKIN;
 use crate::neighbours::expected::{Expectation, Moving};
 use crate::neighbours::image_search::Planes;
-use crate::neighbours::images::{Mirror, Periodic};
-use crate::neighbours::lists::Lists;
+pub use crate::neighbours::lists::Lists;
 use crate::neighbours::skin::Skin;
+use crate::neighbours::visibility::{Listed, ThinWalls};
 use crate::parallel;
 use crate::particles::{Fields, Particles, Spare};
+use crate::planes::{Mirror, Periodic};
 use crate::state_bytes::{StateError, expect_count};
-use crate::walls::visibility::{Listed, ThinWalls};
 
 /// Wall particles at the moment of the search.
 #[derive(Clone, Copy)]
-pub struct WallKinematics<'a> {
+pub(crate) struct WallKinematics<'a> {
     /// Position [m].
     pub x: &'a [f64],
     /// Position [m].
@@ -60,7 +60,7 @@ impl WallKinematics<'_> {
 
 /// What a search works in; kept from one to the next.
 #[derive(Default)]
-pub struct SearchSpace {
+pub(crate) struct SearchSpace {
     fluid: Cells,
     walls: Cells,
     /// Which particle comes to each place.
@@ -75,8 +75,8 @@ impl SearchSpace {
     }
 }
 
-/// Neighbour lists. Indices below the number of particles are the particles themselves; those above are
-/// images, in the order of [`Neighbours::fluid_images`] and [`Neighbours::wall_images`].
+/// Neighbour lists. Indices below the number of particles are the particles themselves; those above are images of
+/// [`Neighbours::source`].
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct Neighbours {
     /// Fluid (and images) around each fluid particle.
@@ -84,17 +84,17 @@ pub struct Neighbours {
     /// Walls (and images) around each fluid particle.
     pub walls_of_fluid: Lists,
     /// Fluid (and images) around each wall particle.
-    pub fluid_of_wall: Lists,
+    pub(crate) fluid_of_wall: Lists,
     /// Fluid (and images) around each wall particle's mirror point (LE17); empty where no wall asks.
-    pub fluid_of_mirror: Lists,
+    pub(crate) fluid_of_mirror: Lists,
     /// Sources of the fluid's images.
-    pub fluid_images: Vec<u32>,
+    pub(crate) fluid_images: Vec<u32>,
     /// Sources of the walls' images.
-    pub wall_images: Vec<u32>,
+    pub(crate) wall_images: Vec<u32>,
     /// Translations of the fluid's images [m], where images repeat (OP9); empty where they reflect.
-    pub fluid_shifts: Vec<[f64; 2]>,
+    pub(crate) fluid_shifts: Vec<[f64; 2]>,
     /// Translations of the walls' images [m], likewise.
-    pub wall_shifts: Vec<[f64; 2]>,
+    pub(crate) wall_shifts: Vec<[f64; 2]>,
     /// How often the lists were made.
     pub rebuilds: u64,
     /// When they were made, and how long they are to last [s].
@@ -128,7 +128,7 @@ impl Neighbours {
     }
 
     /// True while every pair that can meet at `now` [s] is listed: one age for all is all that this takes, whatever the clock.
-    pub fn holds(&self, particles: &Particles, walls: &WallKinematics, now: f64) -> bool {
+    pub(crate) fn holds(&self, particles: &Particles, walls: &WallKinematics, now: f64) -> bool {
         let (since, life) = self.made;
         let age = (now - since).max(0.0).min(life);
         self.skin.holds(&particles.x, &particles.y, age)
@@ -137,7 +137,7 @@ impl Neighbours {
     }
 
     /// Sort the fluid by cell and list all pairs at `now` [s], to last about `life` [s], with a `skin` [h] of particles at rest.
-    pub fn rebuild(
+    pub(crate) fn rebuild(
         &mut self,
         space: &mut SearchSpace,
         particles: &mut Particles,
@@ -235,12 +235,12 @@ impl Neighbours {
 
     /// The wall particle behind listed index `j` of `n` wall particles and their images.
     #[inline(always)]
-    pub fn wall_source(&self, j: usize, n: usize) -> usize {
+    pub(crate) fn wall_source(&self, j: usize, n: usize) -> usize {
         source(j, n, &self.wall_images)
     }
 
     /// Who is, or has within reach, a free-surface particle (by the λ found last).
-    pub fn flag_surface(&self, fields: &mut Fields) {
+    pub(crate) fn flag_surface(&self, fields: &mut Fields) {
         let n = fields.moments.len();
         if parallel::every(n, |k| !fields.moments[k].at_surface()) {
             parallel::update(&mut fields.near_surface, |_, near| *near = false);

@@ -49,7 +49,7 @@ impl Fields {
     }
 
     /// Volume per metre of span of particle `k` of `p` [m²].
-    pub fn volume_of(&self, k: usize, p: &Particles) -> f64 {
+    pub(crate) fn volume_of(&self, k: usize, p: &Particles) -> f64 {
         self.volume.get(k).copied().unwrap_or_else(|| p.mass[k] / p.rho[k])
     }
 }

@@ -4,8 +4,6 @@
 //! rebuild of the neighbour lists; [`Particles::id`] keeps a particle's identity through the sorting.
 
 mod fields;
-pub mod probe;
-pub mod refinement;
 pub mod totals;
 
 use serde::{Deserialize, Serialize};
@@ -62,13 +60,13 @@ pub struct Particles {
     /// Acceleration f that keeps graded water at rest (THEORY WC28) [m/s²], shape (2, n); empty where nothing is graded.
     pub rest: [Vec<f64>; 2],
     /// Where it acts: the place of each particle at the start [m], shape (2, n); empty likewise.
-    pub home: [Vec<f64>; 2],
+    pub(crate) home: [Vec<f64>; 2],
     /// Energy −Σ m f·r of particles when their f ended, less the work that still water's pressure did by errors of pairs (THEORY WC29) [J/m].
     pub released: f64,
     /// How often it was halved (THEORY WC21); empty without a fine zone that moves.
-    pub refinement_level: Vec<u8>,
+    pub(crate) refinement_level: Vec<u8>,
     /// Has it, or a neighbour of it, been halved? Then it settles (THEORY WC10). Empty likewise.
-    pub newly_split: Vec<bool>,
+    pub(crate) newly_split: Vec<bool>,
 }
 
 impl Particles {

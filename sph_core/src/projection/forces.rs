@@ -1,22 +1,22 @@
 //! Accelerations and forces from the pressures that a projection found (THEORY PR10, PR11, PR13, PR12).
 
+use crate::forces::wall_state::extrapolate_to_walls;
+use crate::forces::{PairTerms, gather_wall_forces};
 use crate::interactions::dissipation::{Dissipation, ElasticPair};
-use crate::interactions::forces::{PairTerms, gather_wall_forces};
 use crate::interactions::geometry::{PairConstants, pair_geometry};
-use crate::interactions::kernel::{Shape, WithKernel};
 use crate::interactions::packed_particle::PackedParticle;
 use crate::interactions::pair;
-use crate::interactions::simd::{self, LANES, SimdReal, Task};
+use crate::kernel::{Shape, WithKernel};
 use crate::parallel::{self, CHUNK};
 use crate::particles::COARSE;
-use crate::projection::free_surface::lattice::{Closure, Lattice};
+use crate::projection::lattice::{Closure, Lattice};
 use crate::projection::linear_pressure::LinearPressure;
 use crate::projection::operators::Operators;
 use crate::projection::pair_clusters::ChunkPairs;
+use crate::simd::{self, LANES, SimdReal, Task};
 use crate::system::ParticleSystem;
 use crate::timers::Phase;
 use crate::walls::Walls;
-use crate::walls::state::extrapolate_to_walls;
 
 /// A particle counts as calm from this share of the pressure under a spacing of water on [-].
 const CALM: f64 = 0.25;

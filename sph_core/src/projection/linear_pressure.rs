@@ -3,8 +3,8 @@
 use std::ops::Range;
 
 use crate::interactions::geometry::pair_geometry;
-use crate::interactions::kernel::{Shape, TargetSum};
-use crate::projection::free_surface::lattice::Lattice;
+use crate::kernel::{Shape, TargetSum};
+use crate::projection::lattice::Lattice;
 use crate::system::ParticleSystem;
 use crate::walls::outline::{closed_owners, turning_forces};
 use crate::walls::{OutlineShare, Walls};

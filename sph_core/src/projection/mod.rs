@@ -1,24 +1,24 @@
 //! The incompressible scheme: a projection per step (THEORY PR2–PR14). Pressures are those that leave the water's volume as it is.
 //!
 //! Read in this order: `Projection::advance`, `operators` (sums over pairs), `free_surface`, `pressure` (the equation),
-//! [`linear_solver`], `forces`, `motion`; `monolithic` couples bodies.
+//! `linear_solver`, `forces`, `motion`; `monolithic` couples bodies.
 
 mod forces;
 mod free_surface;
+mod lattice;
 mod linear_pressure;
-pub mod linear_solver;
+mod linear_solver;
 mod monolithic;
 mod motion;
 mod operators;
 mod pair_clusters;
 mod pressure;
 mod settings;
-#[cfg(test)]
-mod tests;
 
 use crate::domain::Domain;
 use crate::error::Breakdown;
-use crate::interactions::forces::PairTerms;
+use crate::forces::PairTerms;
+use crate::forces::interface_dynamics::accelerate_by_pairs;
 use crate::interactions::geometry::PairConstants;
 use crate::neighbours::SKIN;
 use crate::particles::Seed;
@@ -27,19 +27,15 @@ use crate::state_bytes::{StateError, decode, encode};
 use crate::system::ParticleSystem;
 use crate::timers::Phase;
 use crate::walls::Walls;
-use crate::walls::interface_dynamics::accelerate_by_pairs;
 
 use forces::PressureForces;
 use free_surface::detection::SurfaceDetection;
-use free_surface::lattice::Lattice;
+use lattice::Lattice;
 use linear_pressure::LinearPressure;
 use motion::{StepLimit, move_particles};
 use operators::Operators;
 use pressure::PressureEquation;
 
-pub use linear_solver::{
-    Matrix, MatrixRows, NotConverged, Preconditioner, PressureSolver, RankOne, Solved, Stop, cg, matrix,
-};
 pub use settings::{FlowSettings, Method, Settings};
 
 /// Steps that a neighbour list is made to last: few, since fast particles move far in each.
@@ -64,7 +60,7 @@ pub struct Projection {
 
 impl Projection {
     /// The scheme for a domain.
-    pub fn new(domain: &Domain, settings: Settings) -> Projection {
+    pub(crate) fn new(domain: &Domain, settings: Settings) -> Projection {
         Projection {
             settings,
             lattice: Lattice::new(domain.fluid.kernel, domain.fluid.smoothing_ratio),
@@ -168,11 +164,6 @@ impl Projection {
     /// Rows held at p = 0 by the unilateral condition, in the last step (PR8).
     pub fn constrained_rows(&self) -> usize {
         self.equation.constrained_rows()
-    }
-
-    /// Kernel sum Σ V W that each particle keeps [-], by identity (PR9).
-    pub fn reference_kernel_sums(&self) -> &[f64] {
-        &self.reference_kernel_sum
     }
 }
 

@@ -4,14 +4,14 @@ use std::marker::PhantomData;
 use std::ops::Range;
 
 use crate::interactions::geometry::{PairConstants, pair_geometry};
-use crate::interactions::kernel::{self, Shape, WithKernel};
 use crate::interactions::packed_particle::{PackedParticle, PackedWall};
-use crate::interactions::simd::{LANES, SimdReal, Task};
+use crate::kernel::{self, Shape, WithKernel};
 use crate::neighbours::Neighbours;
 use crate::parallel::{self, CHUNK};
 use crate::particles::KernelMoments;
-use crate::projection::free_surface::lattice::Lattice;
+use crate::projection::lattice::Lattice;
 use crate::projection::pair_clusters::ChunkPairs;
+use crate::simd::{LANES, SimdReal, Task};
 use crate::system::ParticleSystem;
 use crate::walls::Walls;
 

@@ -4,10 +4,10 @@
 //! each: it is read once, and the links of a cluster lie side by side.
 
 use crate::interactions::geometry::PairConstants;
-use crate::interactions::kernel::Shape;
 use crate::interactions::packed_particle::PackedParticle;
-use crate::interactions::simd::{LANES, SimdReal};
+use crate::kernel::Shape;
 use crate::neighbours::lists::{Lists, Splat};
+use crate::simd::{LANES, SimdReal};
 
 /// A link to each target of a cluster, 0 where it is none: 2 V_i V_j |slope|/ρ, the same number from both sides. In single precision: a
 /// relative change of 6e-8 in couplings of a symmetric matrix.

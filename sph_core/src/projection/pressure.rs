@@ -6,7 +6,7 @@ use crate::error::Breakdown;
 use crate::parallel;
 use crate::particles::Particles;
 use crate::projection::free_surface::active_set::{ActiveSet, Rows, Surface};
-use crate::projection::free_surface::lattice::Lattice;
+use crate::projection::lattice::Lattice;
 use crate::projection::linear_pressure::LinearPressure;
 use crate::projection::linear_solver::cg::{NotConverged, PressureSolver, Stop};
 use crate::projection::linear_solver::cluster_matrix::ClusterRows;

@@ -3,14 +3,9 @@
 //! Owners (bodies, tank walls) keep their particles contiguous and in their own order. Before a step
 //! they write position, velocity and acceleration *at the end of the step*; after it they read forces.
 
-pub mod contact;
 pub mod interface;
-pub(crate) mod interface_dynamics;
 pub mod midline;
 pub(crate) mod outline;
-pub(crate) mod state;
-pub(crate) mod still_pressure;
-pub(crate) mod visibility;
 
 use std::ops::Range;
 
@@ -31,7 +26,7 @@ pub struct WallLayout {
 
 impl WallLayout {
     /// Aligned rows as deep as the kernel's support 2h, for a smoothing length over spacing of `ratio` [-].
-    pub fn filling_support(ratio: f64) -> WallLayout {
+    pub(crate) fn filling_support(ratio: f64) -> WallLayout {
         WallLayout { layers: (2.0 * ratio - 1e-9).ceil() as usize, staggered: false }
     }
 }
@@ -180,7 +175,7 @@ impl Walls {
 
     /// Where particle `k` is `offset` [s] from the step's end (offset ≤ 0), relative to where it ends [m]: back
     /// along the step at constant acceleration; u is the step's mean velocity.
-    pub fn displacement(&self, k: usize, offset: f64) -> [f64; 2] {
+    pub(crate) fn displacement(&self, k: usize, offset: f64) -> [f64; 2] {
         let bend = 0.5 * offset * (offset + self.dt);
         [offset * self.u[k] + bend * self.ax[k], offset * self.v[k] + bend * self.ay[k]]
     }

@@ -8,26 +8,26 @@ pub mod eos;
 mod rest;
 mod settings;
 pub(crate) mod shifting;
-pub mod split_explicit;
+mod split_explicit;
 pub(crate) mod step_limit;
 pub(crate) mod updates;
 
 use crate::domain::Domain;
 use crate::error::Breakdown;
-use crate::interactions::forces::PairTerms;
+use crate::forces::PairTerms;
+use crate::forces::interface_dynamics::accelerate_by_pairs;
+use crate::forces::still_pressure::StillPressure;
 use crate::interactions::gather::{DensityRate, PairSums};
 use crate::interactions::geometry::PairConstants;
 use crate::memory::of_vector;
 use crate::parallel;
 use crate::particles::KernelMoments;
-use crate::particles::refinement::refine;
+use crate::refinement::refine;
 use crate::scheme::{Flow, Scheme};
 use crate::state_bytes::{StateError, expect_count};
 use crate::system::ParticleSystem;
 use crate::timers::Phase;
 use crate::walls::Walls;
-use crate::walls::interface_dynamics::accelerate_by_pairs;
-use crate::walls::still_pressure::StillPressure;
 
 use eos::Tait;
 use rest::{hold_at_rest, release_all, release_drifted};
@@ -73,7 +73,7 @@ impl PressureLaw {
 
 impl Wcsph {
     /// The scheme for a domain.
-    pub fn new(domain: &Domain, settings: Settings) -> Wcsph {
+    pub(crate) fn new(domain: &Domain, settings: Settings) -> Wcsph {
         Wcsph { settings, eos: settings.equation_of_state(domain), density_rate: Vec::new() }
     }
 
@@ -120,7 +120,7 @@ impl Wcsph {
     }
 
     /// WC28, WC21: release particles that have drifted; split those inside the refinement zone, if there is one.
-    pub fn refine(&self, system: &mut ParticleSystem) {
+    pub(crate) fn refine(&self, system: &mut ParticleSystem) {
         release_drifted(&mut system.particles);
         let ParticleSystem { refinement_zone, particles, fields, neighbours, domain, .. } = system;
         if let Some(zone) = refinement_zone {

@@ -16,7 +16,7 @@ pub mod nodal_loads;
 mod placed_outline;
 mod surface_pressure;
 
-use sph_core::particles::probe::Probe;
+use sph_core::Probe;
 use sph_core::walls::Resultant;
 
 pub use surface_pressure::reaction_and_pressure;

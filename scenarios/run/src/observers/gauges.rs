@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use fsi_coupling::geometry::vector::rotate;
 use fsi_coupling::{Coupled, Motion};
-use sph_core::particles::probe::Probe;
+use sph_core::Probe;
 use sph_core::state_bytes::{StateError, decode, encode, expect_count};
 
 use super::gauge_record::{GaugeRecord, GaugeResult};

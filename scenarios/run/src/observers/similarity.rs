@@ -5,7 +5,7 @@
 
 use fsi_coupling::Coupled;
 use serde::{Deserialize, Serialize};
-use sph_core::particles::probe::Probe;
+use sph_core::Probe;
 use sph_core::state_bytes::{StateError, decode, encode, expect_count};
 
 use super::face_profile::{length_near_peak, noise, peak_place};

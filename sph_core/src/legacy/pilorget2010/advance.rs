@@ -1,7 +1,7 @@
 //! One step of the thesis's projection (THEORY LE19–LE28).
 
 use crate::error::Breakdown;
-use crate::interactions::forces::Forces;
+use crate::forces::Forces;
 use crate::legacy::pilorget2010::poisson::Assembly;
 use crate::legacy::pilorget2010::settings::Predictor;
 use crate::legacy::pilorget2010::state::{Thesis, Trial};

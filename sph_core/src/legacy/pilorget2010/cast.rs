@@ -2,11 +2,11 @@
 //! who meets whom: for each row its pairs, with the kernel and its gradient, so that nothing else asks for the kernel.
 
 use crate::interactions::geometry::pair_geometry;
-use crate::interactions::kernel::{Kernel, Shape, WithKernel};
+use crate::kernel::{Kernel, Shape, WithKernel};
 use crate::neighbours::cells::{Cells, Point};
-use crate::neighbours::images::Mirror;
 use crate::neighbours::lists::Lists;
 use crate::parallel::{self, CHUNK};
+use crate::planes::Mirror;
 
 /// One of the cast.
 #[derive(Clone, Copy, Debug, Default)]

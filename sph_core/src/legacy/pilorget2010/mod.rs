@@ -13,7 +13,8 @@ mod sums;
 
 use crate::domain::Domain;
 use crate::error::Breakdown;
-use crate::interactions::forces::{Forces, PairTerms, gather_fluid_forces, gather_wall_forces};
+use crate::forces::interface_dynamics::accelerate_by_pairs;
+use crate::forces::{Forces, PairTerms, gather_fluid_forces, gather_wall_forces};
 use crate::interactions::geometry::PairConstants;
 use crate::parallel;
 use crate::particles::Seed;
@@ -22,7 +23,6 @@ use crate::state_bytes::{StateError, decode, encode};
 use crate::system::ParticleSystem;
 use crate::timers::Phase;
 use crate::walls::Walls;
-use crate::walls::interface_dynamics::accelerate_by_pairs;
 use crate::wcsph::eos::Tait;
 use crate::wcsph::is_weakly_compressed;
 use crate::wcsph::step_limit::rebuild_lists;

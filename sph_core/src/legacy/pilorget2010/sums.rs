@@ -5,7 +5,7 @@ use faer::linalg::solvers::Solve;
 use faer::sparse::{SparseColMat, Triplet};
 
 use crate::error::Breakdown;
-use crate::interactions::kernel::Kernel;
+use crate::kernel::Kernel;
 use crate::legacy::pilorget2010::cast::{Cast, Pairs, Reflection, points};
 use crate::neighbours::cells::Cells;
 

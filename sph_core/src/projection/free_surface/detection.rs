@@ -1,8 +1,8 @@
 //! Where the air is: holes between the particles, and which of them are large enough to be air (THEORY PR5).
 
 use crate::parallel;
-use crate::projection::free_surface::lattice::Lattice;
 use crate::projection::free_surface::occupancy_grid::OccupancyGrid;
+use crate::projection::lattice::Lattice;
 use crate::projection::operators::Operators;
 use crate::system::ParticleSystem;
 use crate::walls::Walls;

@@ -2,5 +2,4 @@
 
 pub(crate) mod active_set;
 pub(crate) mod detection;
-pub(crate) mod lattice;
 pub(crate) mod occupancy_grid;

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::parallel::{self, CHUNK};
-use crate::projection::linear_solver::hierarchy::{Hierarchy, Preconditioner};
+use crate::projection::linear_solver::hierarchy::Hierarchy;
 use crate::projection::linear_solver::matrix::{MatrixRows, RankOne};
 use crate::projection::linear_solver::null_space::NullSpace;
 use crate::projection::linear_solver::woodbury::Bodies;
@@ -85,7 +85,8 @@ pub struct PressureSolver {
 
 impl PressureSolver {
     /// With a preconditioner of choice.
-    pub fn with(preconditioner: Preconditioner) -> PressureSolver {
+    #[cfg(test)]
+    pub fn with(preconditioner: crate::projection::linear_solver::hierarchy::Preconditioner) -> PressureSolver {
         PressureSolver { hierarchy: Hierarchy::with(preconditioner), ..PressureSolver::default() }
     }
 
@@ -114,6 +115,7 @@ impl PressureSolver {
     }
 
     /// How often a hierarchy was made.
+    #[cfg(test)]
     pub fn set_ups(&self) -> u64 {
         self.hierarchy.set_ups
     }

@@ -1,11 +1,11 @@
 //! The matrix of the pressure equation by clusters of rows, as the sums over pairs leave it (THEORY PR6, LS2).
 
-use crate::interactions::simd::{self, LANES, SimdReal, Task};
 use crate::neighbours::Neighbours;
 use crate::parallel::{self, CHUNK};
 use crate::projection::linear_solver::matrix::MatrixRows;
 use crate::projection::operators::Operators;
 use crate::projection::pair_clusters::{ChunkPairs, Links};
+use crate::simd::{self, LANES, SimdReal, Task};
 
 /// Sums that a product is added up in, in turn, so that no addition waits for the one before it.
 const TURNS: usize = 4;

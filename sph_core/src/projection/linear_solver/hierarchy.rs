@@ -17,8 +17,9 @@ pub enum Preconditioner {
     Aggregates,
 }
 
+#[cfg(test)]
 impl Preconditioner {
-    /// Every preconditioner, for tests and tables.
+    /// Every preconditioner.
     pub const ALL: [Preconditioner; 2] = [Preconditioner::Diagonal, Preconditioner::Aggregates];
 }
 
@@ -52,6 +53,7 @@ pub(crate) struct Hierarchy {
 }
 
 impl Hierarchy {
+    #[cfg(test)]
     pub fn with(kind: Preconditioner) -> Hierarchy {
         Hierarchy { kind, ..Hierarchy::default() }
     }

@@ -1,21 +1,10 @@
 //! Systems to try the solver on, and a direct solver.
 
-use super::*;
+use super::matrix::{Matrix, MatrixRows, RankOne};
+use crate::SplitMix64;
 use faer::linalg::solvers::Solve;
 use faer::sparse::{SparseColMat, Triplet};
 use faer::{Col, Side};
-
-/// Numbers from 0 to 1 that come again from the same seed (Marsaglia 2003, xorshift).
-pub(crate) struct Dice(pub u64);
-
-impl Dice {
-    pub fn throw(&mut self) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-}
 
 /// A system and the places of its rows.
 pub(crate) struct System {
@@ -26,8 +15,9 @@ pub(crate) struct System {
 
 /// `n` points thrown into a box per `boxes`, far from each other; within a box near points are coupled. The first
 /// `open` boxes have a surface.
-pub(crate) fn thrown(n: usize, boxes: usize, open: usize, dice: &mut Dice) -> System {
-    let points: Vec<[f64; 2]> = (0..n * boxes).map(|k| [10.0 * (k / n) as f64 + dice.throw(), dice.throw()]).collect();
+pub(crate) fn thrown(n: usize, boxes: usize, open: usize, random: &mut SplitMix64) -> System {
+    let points: Vec<[f64; 2]> =
+        (0..n * boxes).map(|k| [10.0 * (k / n) as f64 + random.unit(), random.unit()]).collect();
     let reach = 2.5 / (n as f64).sqrt();
     let mut a = Matrix { starts: vec![0], ..Matrix::default() };
     for (i, p) in points.iter().enumerate() {
@@ -45,7 +35,7 @@ pub(crate) fn thrown(n: usize, boxes: usize, open: usize, dice: &mut Dice) -> Sy
         a.starts.push(a.columns.len());
         a.diagonal.push(sum + excess);
     }
-    let b = points.iter().map(|_| dice.throw() - 0.5).collect();
+    let b = points.iter().map(|_| random.unit() - 0.5).collect();
     let at = [points.iter().map(|p| p[0]).collect(), points.iter().map(|p| p[1]).collect(), vec![reach; n * boxes]];
     System { a, b, at }
 }
@@ -75,9 +65,9 @@ pub(crate) fn directly(a: &Matrix, ranks: &[RankOne], b: &[f64], constrained: &[
 }
 
 /// A body over about a third of the first box, and its two ways to move.
-pub(crate) fn body(s: &System, dice: &mut Dice, weight: f64) -> Vec<RankOne> {
+pub(crate) fn body(s: &System, random: &mut SplitMix64, weight: f64) -> Vec<RankOne> {
     let near: Vec<u32> = (0..s.a.rows() as u32).filter(|&i| s.at[0][i as usize] < 0.33).collect();
-    (0..2).map(|_| RankOne { weight, entries: near.iter().map(|&i| (i, dice.throw() - 0.3)).collect() }).collect()
+    (0..2).map(|_| RankOne { weight, entries: near.iter().map(|&i| (i, random.unit() - 0.3)).collect() }).collect()
 }
 
 /// A row of `n` with a surface at its end if it is `open`, the same places each time.

@@ -7,8 +7,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::domain::Domain;
 use crate::interactions::geometry::pair_geometry;
-use crate::interactions::kernel::{Shape, TargetSum};
 use crate::interactions::packed::Packed;
+use crate::kernel::{Shape, TargetSum};
 use crate::neighbours::Neighbours;
 use crate::walls::interface::{InterfaceResidual, WallInterface};
 use crate::walls::{WallForces, Walls};

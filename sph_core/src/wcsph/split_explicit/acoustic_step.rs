@@ -1,9 +1,9 @@
 //! The passes of an acoustic step over the particles (THEORY WC22): each equation for a chunk of targets after the other, so that
 //! a chunk's numbers are read once per pass.
 
-use crate::interactions::simd::{self, SimdReal, Task};
 use crate::parallel::{self, CHUNK};
 use crate::particles::Particles;
+use crate::simd::{self, SimdReal, Task};
 use crate::system::ParticleSystem;
 
 use super::held_pairs::{HeldPairs, Row};

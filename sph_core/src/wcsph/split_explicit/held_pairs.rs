@@ -6,9 +6,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::interactions::simd::{self, SimdReal, Task};
 use crate::memory::of_vector;
 use crate::parallel::{self, CHUNK};
+use crate::simd::{self, SimdReal, Task};
 
 /// Targets of a block.
 pub(super) const BLOCK: usize = 8;

@@ -4,14 +4,14 @@ use std::ops::Range;
 
 use serde::{Deserialize, Serialize};
 
+use crate::forces::interface_dynamics::PressureSensitivity;
 use crate::interactions::geometry::{MeanScale, PairConstants, PairGeometry, ScaleRule};
-use crate::interactions::kernel::{Shape, WithKernel};
 use crate::interactions::packed_particle::PackedParticle;
+use crate::kernel::{Shape, WithKernel};
 use crate::memory::of_vector;
 use crate::parallel;
 use crate::system::ParticleSystem;
 use crate::walls::Walls;
-use crate::walls::interface_dynamics::PressureSensitivity;
 
 use super::held_pairs::Row;
 

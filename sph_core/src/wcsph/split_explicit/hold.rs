@@ -4,11 +4,11 @@ use std::marker::PhantomData;
 
 use crate::interactions::dissipation::{Dissipation, PairDissipation, WithPairs, with_pairs};
 use crate::interactions::geometry::{MeanScale, PairConstants, PairGeometry, ScaleRule};
-use crate::interactions::kernel::{self, Kernel, Shape};
 use crate::interactions::packed_particle::PackedParticle;
-use crate::interactions::simd::{LANES, SimdReal, Task};
+use crate::kernel::{self, Kernel, Shape};
 use crate::neighbours::lists::Lists;
 use crate::parallel::{self, CHUNK};
+use crate::simd::{LANES, SimdReal, Task};
 
 use super::entry_index::EntryIndex;
 use super::held_pairs::{BLOCK, HeldChunk, HeldPairs, OfBlock, Own, by_distance, lanes, of_targets};

@@ -20,8 +20,10 @@ use serde::{Deserialize, Serialize};
 
 use crate::domain::Domain;
 use crate::error::Breakdown;
+use crate::forces::interface_dynamics::solve_owners;
+use crate::forces::wall_state::extrapolate_to_walls;
+use crate::forces::{Forces, PairTerms, gather_fluid_forces, gather_wall_forces};
 use crate::interactions::dissipation::{DiffusivePair, Dissipation, PairDissipation, RiemannPair};
-use crate::interactions::forces::{Forces, PairTerms, gather_fluid_forces, gather_wall_forces};
 use crate::interactions::geometry::PairConstants;
 use crate::memory::of_vector;
 use crate::parallel;
@@ -31,8 +33,6 @@ use crate::state_bytes::{StateError, decode, encode};
 use crate::system::ParticleSystem;
 use crate::timers::Phase;
 use crate::walls::Walls;
-use crate::walls::interface_dynamics::solve_owners;
-use crate::walls::state::extrapolate_to_walls;
 
 use super::shifting::{Passed, even_out_advective};
 use super::{Settings, Wcsph};
@@ -104,11 +104,6 @@ impl SplitExplicit {
             rows: Vec::new(),
             pressure: Vec::new(),
         }
-    }
-
-    /// Its settings; they may change between steps.
-    pub fn settings_mut(&mut self) -> &mut Settings {
-        &mut self.base.settings
     }
 
     /// WC22: one acoustic step, kick–drift–kick as WC11, with the geometry held.

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::interactions::kernel::Kernel;
+use crate::kernel::Kernel;
 
 /// Gains of two shifts in turn times the largest relaxation rate [-]. The larger overshoots alone; after the smaller, which damps
 /// what it overshoots, the two do as much as many small ones.

@@ -1,8 +1,7 @@
 //! The volume of the water by the place of its surface (THEORY GE11).
 
 use serde::Serialize;
-use sph_core::Fluid;
-use sph_core::particles::probe::Probe;
+use sph_core::{Fluid, Probe};
 
 use crate::observers::source::{Reader, Source};
 use scene::{Scene, Symmetry};

@@ -3,16 +3,16 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::interactions::forces::{Forces, PairTerms, gather_fluid_forces, gather_wall_forces};
+use crate::forces::still_pressure::StillPressure;
+use crate::forces::wall_state::extrapolate_to_walls;
+use crate::forces::{Forces, PairTerms, gather_fluid_forces, gather_wall_forces};
 use crate::interactions::geometry::kernel_and_gradient;
-use crate::interactions::kernel::{Shape, TargetSum};
+use crate::kernel::{Shape, TargetSum};
 use crate::scheme::Flow;
 use crate::system::ParticleSystem;
 use crate::timers::Phase;
 use crate::walls::Walls;
 use crate::walls::interface::{InterfaceLoad, ParticleLoad, WallInterface};
-use crate::walls::state::extrapolate_to_walls;
-use crate::walls::still_pressure::StillPressure;
 
 /// CO4: how pressure and force of a wall particle change with its acceleration.
 #[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::interactions::forces::Forces;
+use crate::forces::Forces;
 use crate::interactions::packed_particle::PackedParticle;
 use crate::parallel;
 use crate::system::ParticleSystem;

@@ -2,7 +2,7 @@
 
 use crate::fluid::Fluid;
 use crate::neighbours::cells::{Cells, Point};
-use crate::walls::visibility::Visibility;
+use crate::neighbours::visibility::Visibility;
 
 /// A place with less of its kernel filled is dry.
 const LEAST_FILLING: f64 = 0.125;
@@ -21,7 +21,7 @@ pub struct FirstOrder {
 /// A reader of the fluid as it stands now; make one per moment, read many points.
 ///
 /// ```
-/// use sph_core::particles::probe::Probe;
+/// use sph_core::Probe;
 /// use sph_core::{Domain, Fluid, Seed, wcsph};
 /// let seed = |k: usize| Seed { at: [0.1 * (k % 9) as f64, 0.1 * (k / 9) as f64], velocity: [0.0; 2], area: 0.01, pressure: 0.0 };
 /// let settings = wcsph::Settings { sound_speed: 20.0.into(), ..wcsph::Settings::default() };

@@ -1,7 +1,10 @@
 //! The solver against a direct one, on random systems.
 
-use super::*;
-use crate::projection::linear_solver::test_systems::{Dice, System, body, directly, row_of, thrown};
+use super::cg::{PressureSolver, Solved, Stop};
+use super::hierarchy::Preconditioner;
+use super::matrix::{Matrix, MatrixRows, RankOne};
+use super::test_systems::{System, body, directly, row_of, thrown};
+use crate::SplitMix64;
 
 fn solve(s: &System, ranks: &[RankOne], constrained: &[bool], kind: Preconditioner) -> (Vec<f64>, Solved) {
     let n = s.a.rows();
@@ -20,12 +23,13 @@ fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
 
 #[test]
 fn solutions_are_those_of_a_direct_solver() {
-    let mut dice = Dice(0x9e37_79b9_7f4a_7c15);
+    let mut random = SplitMix64(1);
     for round in 0..20 {
-        let s = thrown(30 + 20 * round, 1, 1, &mut dice);
+        let s = thrown(30 + 20 * round, 1, 1, &mut random);
         let n = s.a.rows();
-        let constrained: Vec<bool> = (0..n).map(|_| dice.throw() < 0.1 * f64::from(round as u8 % 3)).collect();
-        let ranks = if round % 2 == 0 { Vec::new() } else { body(&s, &mut dice, 10.0_f64.powi(round as i32 % 5 - 1)) };
+        let constrained: Vec<bool> = (0..n).map(|_| random.unit() < 0.1 * f64::from(round as u8 % 3)).collect();
+        let ranks =
+            if round % 2 == 0 { Vec::new() } else { body(&s, &mut random, 10.0_f64.powi(round as i32 % 5 - 1)) };
         let expected = directly(&s.a, &ranks, &s.b, &constrained, 0.0);
         for kind in Preconditioner::ALL {
             let (x, _) = solve(&s, &ranks, &constrained, kind);
@@ -43,9 +47,9 @@ fn box_means(v: &[f64], n: usize) -> Vec<f64> {
 
 #[test]
 fn what_floats_has_the_mean_zero_and_the_rest_a_level() {
-    let mut dice = Dice(77);
+    let mut random = SplitMix64(77);
     let n = 150;
-    let s = thrown(n, 3, 1, &mut dice);
+    let s = thrown(n, 3, 1, &mut random);
     let constrained: Vec<bool> = (0..3 * n).map(|i| i == n + 7).collect(); // the second box has a pin, the third floats
     let mut balanced = s.b.clone();
     let excess = box_means(&s.b, n)[2];
@@ -64,11 +68,11 @@ fn what_floats_has_the_mean_zero_and_the_rest_a_level() {
 
 #[test]
 fn a_body_gives_a_closed_tank_a_level_or_not() {
-    let mut dice = Dice(4242);
+    let mut random = SplitMix64(4242);
     let n = 200;
-    let s = thrown(n, 1, 0, &mut dice);
+    let s = thrown(n, 1, 0, &mut random);
     let constrained = vec![false; n];
-    let pushing = body(&s, &mut dice, 3.0);
+    let pushing = body(&s, &mut random, 3.0);
     let expected = directly(&s.a, &pushing, &s.b, &constrained, 0.0);
     let mut closed = pushing.clone(); // a body that is wet all round: its normals add up to nothing
     for rank in &mut closed {
@@ -87,8 +91,8 @@ fn a_body_gives_a_closed_tank_a_level_or_not() {
 
 #[test]
 fn a_lone_particle_has_no_pressure() {
-    let mut dice = Dice(5);
-    let mut s = thrown(60, 1, 1, &mut dice);
+    let mut random = SplitMix64(5);
+    let mut s = thrown(60, 1, 1, &mut random);
     s.a.starts.push(s.a.columns.len());
     s.a.diagonal.push(0.0);
     s.b.push(1.0);
@@ -102,10 +106,10 @@ fn a_lone_particle_has_no_pressure() {
 
 #[test]
 fn the_same_bits_at_one_and_two_threads() {
-    let mut dice = Dice(11);
-    let s = thrown(1500, 2, 1, &mut dice);
-    let constrained: Vec<bool> = (0..3000).map(|_| dice.throw() < 0.02).collect();
-    let ranks = body(&s, &mut dice, 20.0);
+    let mut random = SplitMix64(11);
+    let s = thrown(1500, 2, 1, &mut random);
+    let constrained: Vec<bool> = (0..3000).map(|_| random.unit() < 0.02).collect();
+    let ranks = body(&s, &mut random, 20.0);
     for kind in Preconditioner::ALL {
         let with = |threads: usize| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
@@ -119,8 +123,8 @@ fn the_same_bits_at_one_and_two_threads() {
 
 #[test]
 fn a_solve_that_does_not_converge_says_how_far_it_got() {
-    let mut dice = Dice(3);
-    let s = thrown(1000, 1, 1, &mut dice);
+    let mut random = SplitMix64(3);
+    let s = thrown(1000, 1, 1, &mut random);
     let (n, stop) = (1000, Stop { tolerance: 1e-14, most_iterations: 3 });
     for kind in Preconditioner::ALL {
         let mut solver = PressureSolver::with(kind);
@@ -142,8 +146,8 @@ fn a_solve_that_does_not_converge_says_how_far_it_got() {
 
 #[test]
 fn a_good_first_guess_is_kept() {
-    let mut dice = Dice(21);
-    let s = thrown(400, 1, 1, &mut dice);
+    let mut random = SplitMix64(21);
+    let s = thrown(400, 1, 1, &mut random);
     let (n, stop) = (400, Stop { tolerance: 1e-6, most_iterations: 500 });
     for kind in Preconditioner::ALL {
         let mut solver = PressureSolver::with(kind);
@@ -158,8 +162,8 @@ fn a_good_first_guess_is_kept() {
 
 #[test]
 fn the_smallest_pocket_floats_too() {
-    let mut dice = Dice(8);
-    let mut s = thrown(40, 1, 1, &mut dice);
+    let mut random = SplitMix64(8);
+    let mut s = thrown(40, 1, 1, &mut random);
     // two particles that know only each other
     s.a.columns.extend([41, 40]);
     s.a.values.extend([-0.3, -0.3]);
@@ -198,8 +202,8 @@ fn a_surface_that_closes_or_opens_is_noticed_though_the_hierarchy_is_kept() {
 
 #[test]
 fn iterations_hardly_grow_with_the_number_of_rows() {
-    let mut dice = Dice(1234);
-    let (small, large) = (thrown(400, 1, 1, &mut dice), thrown(6400, 1, 1, &mut dice));
+    let mut random = SplitMix64(1234);
+    let (small, large) = (thrown(400, 1, 1, &mut random), thrown(6400, 1, 1, &mut random));
     let growth = |kind| {
         let count = |s: &System| solve(s, &[], &vec![false; s.a.rows()], kind).1.iterations as f64;
         count(&large) / count(&small)
@@ -210,8 +214,8 @@ fn iterations_hardly_grow_with_the_number_of_rows() {
 
 #[test]
 fn a_clone_goes_on_to_the_same_bits() {
-    let mut dice = Dice(99);
-    let s = thrown(900, 1, 1, &mut dice);
+    let mut random = SplitMix64(99);
+    let s = thrown(900, 1, 1, &mut random);
     let (scale, constrained, stop) = (vec![1.0; 900], vec![false; 900], Stop { tolerance: 1e-6, most_iterations: 500 });
     let mut solver = PressureSolver::default();
     solver.prepare(&s.a, &s.at[0], &s.at[1], &s.at[2]);
@@ -230,8 +234,8 @@ fn a_clone_goes_on_to_the_same_bits() {
 /// Rows that stand in another order are known by name: nothing is made anew, and the iterations are as many.
 #[test]
 fn rows_in_another_order_keep_their_hierarchy() {
-    let mut dice = Dice(7);
-    let s = thrown(900, 1, 1, &mut dice);
+    let mut random = SplitMix64(7);
+    let s = thrown(900, 1, 1, &mut random);
     let (scale, constrained, stop) = (vec![1.0; 900], vec![false; 900], Stop { tolerance: 1e-9, most_iterations: 500 });
     let order: Vec<u32> = (0..900).map(|k| (k * 7) % 900).map(|k| if k < 450 { k + 450 } else { k - 450 }).collect();
     let mut place = vec![0; 900];
@@ -263,14 +267,14 @@ fn rows_in_another_order_keep_their_hierarchy() {
 
 #[test]
 fn bodies_and_constraints_at_the_surface_cost_no_iterations() {
-    let mut dice = Dice(11);
-    let s = thrown(4000, 1, 1, &mut dice);
+    let mut random = SplitMix64(11);
+    let s = thrown(4000, 1, 1, &mut random);
     let at_surface: Vec<bool> = s.at[1].iter().map(|&y| y > 0.95).collect();
     let none = vec![false; 4000];
     for kind in Preconditioner::ALL {
         let plain = solve(&s, &[], &none, kind).1.iterations as f64;
         for weight in [0.1, 1e6] {
-            let ranks = body(&s, &mut dice, weight);
+            let ranks = body(&s, &mut random, weight);
             let with = |constrained: &[bool]| solve(&s, &ranks, constrained, kind).1.iterations as f64;
             let (free, constrained) = (with(&none), with(&at_surface));
             assert!(
@@ -302,7 +306,7 @@ fn no_water_and_spray_alone_are_solved() {
 /// LS11: half the iterations that are needed fail, from nothing fail again, and four times as many from there do.
 #[test]
 fn a_solve_that_fails_is_tried_from_nothing_and_then_longer() {
-    let s = thrown(300, 1, 1, &mut Dice(31));
+    let s = thrown(300, 1, 1, &mut SplitMix64(31));
     let (free, ones) = (vec![false; 300], vec![1.0; 300]);
     let (expected, all) = solve(&s, &[], &free, Preconditioner::Diagonal);
     let half = Stop { tolerance: 1e-11, most_iterations: all.iterations / 2 };

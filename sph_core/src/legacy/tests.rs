@@ -1,27 +1,33 @@
 //! Sums of the fluid's options that have exact answers (THEORY LE6–LE10), on an uneven block with a free edge all round.
 
-use evidence::parameters::Parameters;
-use evidence::statistics::Noise;
-use sph_core::legacy::density_filter::smooth_density;
-use sph_core::legacy::turbulence::stresses;
-use sph_core::legacy::xsph::excess_velocities;
-use sph_core::{Fluid, Seed, Walls};
-
-use super::acoustics::lossless;
+use super::density_filter::smooth_density;
+use super::turbulence::stresses;
+use super::xsph::excess_velocities;
+use crate::{Domain, Fluid, FluidSettings, Seed, SplitMix64, Walls, wcsph};
 
 const SPACING: f64 = 0.1;
 const SIDE: usize = 15;
 
 /// A block of particles off their lattice by up to a fifth of a spacing, with velocities of their place and some disorder.
 fn block(velocity: impl Fn([f64; 2]) -> [f64; 2], disorder: f64) -> Fluid {
-    let mut noise = Noise::new(5);
+    let mut random = SplitMix64(5);
+    let mut draw = || 2.0 * random.unit() - 1.0;
     let mut seeds = Vec::new();
     for k in 0..SIDE * SIDE {
-        let at = [k % SIDE, k / SIDE].map(|c| SPACING * (c as f64 + 0.2 * noise.draw()));
-        let velocity = velocity(at).map(|c| c + disorder * noise.draw());
-        seeds.push(Seed { at, velocity, area: SPACING * SPACING, pressure: 1000.0 * noise.draw() });
+        let at = [k % SIDE, k / SIDE].map(|c| SPACING * (c as f64 + 0.2 * draw()));
+        let velocity = velocity(at).map(|c| c + disorder * draw());
+        seeds.push(Seed { at, velocity, area: SPACING * SPACING, pressure: 1000.0 * draw() });
     }
-    let mut fluid = Parameters { nu: 1e-6, ..lossless() }.fluid(&seeds);
+    let lossless = wcsph::Settings {
+        sound_speed: 20.0.into(),
+        eos_exponent: 1.0,
+        artificial_viscosity: 0.0,
+        density_diffusion: 0.0,
+        shifting: false,
+        ..wcsph::Settings::default()
+    };
+    let water = FluidSettings { kinematic_viscosity: 1e-6, ..FluidSettings::default() };
+    let mut fluid = Fluid::new(Domain { fluid: water, ..Domain::default() }, &lossless, &seeds);
     fluid.initialise(&mut Walls::default()).expect("a block of water");
     fluid
 }

@@ -1,4 +1,11 @@
 //! Forces on fluid and walls from the sums over pairs (THEORY WC5–WC7), and the accelerations that follow.
+//!
+//! [`wall_state`] is what walls take from the fluid (WA3), [`still_pressure`] the pressure of still water (WC29), [`interface_dynamics`]
+//! the accelerations of bodies that the forces accelerate (CO4).
+
+pub(crate) mod interface_dynamics;
+pub(crate) mod still_pressure;
+pub(crate) mod wall_state;
 
 use crate::interactions::dissipation::Dissipation;
 use crate::interactions::gather::{Momentum, MomentumSums, PairSums, WallForce, WallForceSums};

@@ -1,6 +1,6 @@
 //! Sums over pairs on a lattice with a flat surface: the norm of gradients, and the depth of a row.
 
-use crate::interactions::kernel::Kernel;
+use crate::kernel::Kernel;
 
 /// Sums on a square lattice of spacing 1 (THEORY PR4, PR7).
 #[derive(Clone, Copy, Debug)]

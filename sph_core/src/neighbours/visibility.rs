@@ -1,9 +1,9 @@
 //! Visibility across plate midlines (THEORY WA8, WA9): pairs that a midline separates are masked out of the neighbour lists.
 
 use crate::neighbours::cells::Point;
-use crate::neighbours::images::Mirror;
 use crate::neighbours::lists::Lists;
 use crate::parallel;
+use crate::planes::Mirror;
 use crate::walls::Walls;
 use crate::walls::midline::PlateMidline;
 

@@ -7,8 +7,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 
-use crate::interactions::simd::{self, SimdReal, Task};
 use crate::parallel;
+use crate::simd::{self, SimdReal, Task};
 
 /// The kernels a scene may choose from; each is normalised on its own support of radius 2h.
 ///
@@ -37,7 +37,7 @@ pub enum Kernel {
 
 /// A kernel's dimensionless shape. `W = ALPHA/h² w(q)`; `∇_a W_ab = ALPHA/h⁴ · FALL fall(q) · r_ab`. Both are nothing for
 /// q ≥ 2: pairs are not asked first.
-pub trait Shape: Copy + Send + Sync + 'static {
+pub(crate) trait Shape: Copy + Send + Sync + 'static {
     /// Normalisation [-]: α ∫₀² w(q) 2πq dq = 1.
     const ALPHA: f64;
     /// w(q) [-], for 0 ≤ q.
@@ -66,22 +66,22 @@ pub(crate) fn run_sums<K: Shape, T: Task>(simd: bool, task: T) -> T::Out {
 
 /// See [`Kernel::Gaussian`].
 #[derive(Clone, Copy)]
-pub struct Gaussian;
+pub(crate) struct Gaussian;
 /// See [`Kernel::Quadratic`].
 #[derive(Clone, Copy)]
-pub struct Quadratic;
+pub(crate) struct Quadratic;
 /// See [`Kernel::CubicSpline`].
 #[derive(Clone, Copy)]
-pub struct CubicSpline;
+pub(crate) struct CubicSpline;
 /// See [`Kernel::WendlandC2`].
 #[derive(Clone, Copy)]
-pub struct WendlandC2;
+pub(crate) struct WendlandC2;
 /// See [`Kernel::WendlandC4`].
 #[derive(Clone, Copy)]
-pub struct WendlandC4;
+pub(crate) struct WendlandC4;
 /// See [`Kernel::WendlandC6`].
 #[derive(Clone, Copy)]
-pub struct WendlandC6;
+pub(crate) struct WendlandC6;
 
 /// 1 − e⁻⁴, the part of the Gaussian inside q < 2.
 const GAUSSIAN_INSIDE: f64 = 0.981_684_361_111_265_8;
@@ -190,7 +190,7 @@ fn half_left<R: SimdReal>(q: R) -> R {
 }
 
 /// Something to be done with a kernel known at compile time: one dispatch, then an inlined loop.
-pub trait WithKernel {
+pub(crate) trait WithKernel {
     /// What comes back.
     type Out;
     /// Do it with kernel `K`.
@@ -227,7 +227,7 @@ impl Kernel {
     ];
 
     /// Run `task` with this kernel's shape as a type.
-    pub fn run<T: WithKernel>(self, task: T) -> T::Out {
+    pub(crate) fn run<T: WithKernel>(self, task: T) -> T::Out {
         match self {
             Kernel::Gaussian => task.with::<Gaussian>(),
             Kernel::Quadratic => task.with::<Quadratic>(),

@@ -16,7 +16,7 @@ pub struct Mirror {
 impl Mirror {
     /// Image of a horizontal position [m].
     #[inline(always)]
-    pub fn reflect(&self, x: f64) -> f64 {
+    pub(crate) fn reflect(&self, x: f64) -> f64 {
         2.0 * self.at - x
     }
 }
@@ -34,7 +34,7 @@ pub struct Periodic {
 
 impl Periodic {
     /// Translations of the images nearest to the cell [m]: 2 for one pair of planes, 8 for two.
-    pub fn shifts(&self) -> impl Iterator<Item = [f64; 2]> {
+    pub(crate) fn shifts(&self) -> impl Iterator<Item = [f64; 2]> {
         let length = |pair: Option<[f64; 2]>| pair.map_or(0.0, |[from, to]| to - from);
         let (a, b) = (length(self.x), length(self.y));
         let steps = |pair: Option<[f64; 2]>| if pair.is_some() { -1..=1 } else { 0..=0 };
@@ -53,7 +53,7 @@ impl Periodic {
     }
 
     /// A position inside the cell for one that left it [m].
-    pub fn wrap(&self, at: [f64; 2]) -> [f64; 2] {
+    pub(crate) fn wrap(&self, at: [f64; 2]) -> [f64; 2] {
         let inside = |at: f64, pair: Option<[f64; 2]>| match pair {
             Some([from, to]) if at < from || at >= to => from + (at - from).rem_euclid(to - from),
             _ => at,
@@ -62,7 +62,7 @@ impl Periodic {
     }
 
     /// The shorter period [m].
-    pub fn shortest(&self) -> f64 {
+    pub(crate) fn shortest(&self) -> f64 {
         [self.x, self.y].into_iter().flatten().map(|[from, to]| to - from).fold(f64::INFINITY, f64::min)
     }
 }

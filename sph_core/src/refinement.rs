@@ -76,7 +76,7 @@ const BESIDE_WALL: f32 = 0.02;
 /// WC21: split every particle that is coarser than the zone allows. Mass, momentum and the centre of mass stay what they are; so
 /// do volume and energy, but for the square of the pressure difference within a particle. `rho0` and `c0` are the reference
 /// density [kg/m³] and the speed of sound [m/s], `pressure` [Pa] follows from a density.
-pub fn refine(
+pub(crate) fn refine(
     zone: &RefinementZone,
     p: &mut Particles,
     fields: &mut Fields,
@@ -146,5 +146,85 @@ impl Fields {
         self.pressure.push(pressures[1]);
         self.moments.push(self.moments[k]);
         self.near_surface.push(self.near_surface[k]);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::wcsph::{self, Wcsph};
+    use crate::{Domain, Fluid, Seed, Walls};
+
+    const SPACING: f64 = 0.04;
+    const SIDE: usize = 24;
+
+    /// A block of water in the void, turning, its pressure growing to the right by `slope` [Pa/m].
+    fn block(slope: f64) -> Fluid {
+        let at = |k: usize| [(k % SIDE) as f64 + 0.5, -((k / SIDE) as f64) - 0.5].map(|c| c * SPACING);
+        let seed = |k: usize| {
+            let [x, y] = at(k);
+            Seed { at: [x, y], velocity: [0.3 - y, 0.1 + x], area: SPACING * SPACING, pressure: slope * x }
+        };
+        let settings = wcsph::Settings { sound_speed: 50.0.into(), ..wcsph::Settings::default() };
+        let mut fluid = Fluid::new(Domain::default(), &settings, &(0..SIDE * SIDE).map(seed).collect::<Vec<_>>());
+        fluid.initialise(&mut Walls::default()).expect("water");
+        fluid
+    }
+
+    /// The left half, finer by a half.
+    fn zone() -> RefinementZone {
+        let half = 0.5 * SIDE as f64 * SPACING;
+        RefinementZone {
+            middle: 0.0,
+            half_width: half,
+            depth: 1.0,
+            spacing: 0.5 * SPACING,
+            slope: 0.1,
+            ..RefinementZone::default()
+        }
+    }
+
+    fn refine(fluid: &mut Fluid) {
+        let scheme = fluid.scheme::<Wcsph>().expect("the default scheme").clone();
+        scheme.refine(fluid.system_mut());
+    }
+
+    /// Mass, momentum, kinetic energy and the centre of mass are those before, to rounding; the volume to the square of the strain.
+    #[test]
+    fn halves_hold_what_the_whole_held() {
+        let mut fluid = block(1e3);
+        let (before, count) = (fluid.totals(), fluid.particles().len());
+        fluid.set_refinement_zone(Some(zone()));
+        for _ in 0..2 {
+            refine(&mut fluid);
+            let now = fluid.totals();
+            let same = |a: f64, b: f64| assert!((a - b).abs() < 1e-12 * b.abs(), "{a} became {b}");
+            same(before.mass, now.mass);
+            same(before.height, now.height);
+            same(before.energy.kinetic, now.energy.kinetic);
+            assert!((now.volume / before.volume - 1.0).abs() < 1e-9, "volume {} became {}", before.volume, now.volume);
+            (0..2).for_each(|i| same(before.momentum[i], now.momentum[i]));
+        }
+        assert!(fluid.particles().len() > 5 * count / 2, "the left half in four");
+        let mut ids = fluid.particles().id.clone();
+        ids.sort_unstable();
+        assert!(ids.iter().enumerate().all(|(k, &id)| k == id as usize), "an identity twice");
+    }
+
+    /// A square lattice halved twice is the square lattice of half the spacing, moved along x by half of that.
+    #[test]
+    fn halves_of_halves_of_a_lattice_are_a_lattice() {
+        let mut fluid = block(0.0);
+        fluid.set_refinement_zone(Some(zone()));
+        refine(&mut fluid);
+        refine(&mut fluid);
+        let (p, fine) = (fluid.particles(), 0.5 * SPACING);
+        for k in (0..p.len()).filter(|&k| p.x[k] < zone().half_width) {
+            assert_eq!(p.refinement_level[k], 2);
+            assert!((p.h[k] / (1.5 * fine) - 1.0).abs() < 1e-12, "h = {}", p.h[k]);
+            for offset in [p.x[k] / fine, p.y[k] / fine - 0.5] {
+                assert!((offset - offset.round()).abs() < 1e-9, "({}, {})", p.x[k], p.y[k]);
+            }
+        }
     }
 }
