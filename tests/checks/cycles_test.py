@@ -14,6 +14,16 @@ loader.exec_module(cycles)
 
 def cyclic(files):
     """Modules in cycles of a crate of these files."""
+    return sorted("::".join(m) for c in cycles.components(edges(files)) for m in c)
+
+
+def tied(files):
+    """Folders and files in cycles, each folder with all that it holds."""
+    graphs = cycles.folders(edges(files)).values()
+    return [sorted("::".join(m) for m in c) for graph in graphs for c in cycles.components(graph)]
+
+
+def edges(files):
     before = os.getcwd()
     with tempfile.TemporaryDirectory() as folder:
         for name, text in files.items():
@@ -22,7 +32,7 @@ def cyclic(files):
             file.write_text(text)
         os.chdir(folder)
         try:
-            return sorted("::".join(m) for c in cycles.components(cycles.Crate("some").edges()) for m in c)
+            return cycles.Crate("some").edges()
         finally:
             os.chdir(before)
 
@@ -61,6 +71,19 @@ class Cycles(unittest.TestCase):
     def test_test_module_in_a_file_of_its_own(self):
         files = {"lib.rs": "mod a;\n#[cfg(test)]\nmod checks;", "a.rs": "pub fn a() {}", "checks.rs": "use crate::a::a;"}
         self.assertEqual(cyclic(files), [])
+
+    def test_path_through_an_imported_module(self):
+        files = {"lib.rs": "mod a; mod b;", "a.rs": "use crate::b;\npub struct A; pub fn go() { b::run() }", "b.rs": "use crate::a::A; pub fn run() {}"}
+        self.assertEqual(cyclic(files), ["a", "b"])
+
+    def test_item_with_the_name_of_its_module(self):
+        files = {"lib.rs": "mod a; mod b;", "a.rs": "use crate::b::c;\npub struct A; pub fn go() { c() }", "b/mod.rs": "pub mod c; pub use c::c;", "b/c.rs": "use crate::a::A; pub fn c() {}"}
+        self.assertEqual(cyclic(files), ["a", "b::c"])
+
+    def test_folders_that_need_each_other(self):
+        files = {"lib.rs": "mod a; mod b;", "a/mod.rs": "mod x; mod y;", "a/x.rs": "use crate::b::Z;", "a/y.rs": "pub struct Y;", "b.rs": "use crate::a::y::Y; pub struct Z;"}
+        self.assertEqual(cyclic(files), [])
+        self.assertEqual(tied(files), [["a", "b"]])
 
 
 if __name__ == "__main__":

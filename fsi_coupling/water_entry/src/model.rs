@@ -1,6 +1,5 @@
 //! Models of water entry in order of cost.
 
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::similarity::DEADRISES;
@@ -9,7 +8,8 @@ use super::similarity::DEADRISES;
 pub const BOUNDARY_ELEMENT_DEADRISES: [f64; 2] = [10.0, 60.0];
 
 /// A model of a body's entry into water.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
 pub enum EntryModel {
     /// Added mass of a plate as wide as the body's cut with the still water (von Karman 1929).

@@ -1,6 +1,5 @@
 //! The aeroplane of a landing, and its air and water (THEORY EN19).
 
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::attitude::Attitude;
@@ -11,16 +10,17 @@ use super::strip::Strip;
 use super::swell::Swell;
 
 /// The wing: lift in proportion to the angle of attack and to the speed's square. A landing's table `[wing]`.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Wing {
     /// Area of the wing [m²].
-    #[schemars(range(min = 0.0))]
+    #[cfg_attr(feature = "schema", schemars(range(min = 0.0)))]
     pub area: f64,
     /// Mean chord of the wing [m].
-    #[schemars(extend("exclusiveMinimum" = 0))]
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub chord: f64,
     /// Slope of the lift coefficient against the angle of attack [1/rad].
-    #[schemars(range(min = 0.0))]
+    #[cfg_attr(feature = "schema", schemars(range(min = 0.0)))]
     pub lift_slope: f64,
     /// Angle of attack of the body axis at which there is no lift [deg].
     pub zero_lift_deg: f64,
@@ -31,15 +31,15 @@ pub struct Wing {
     #[serde(default = "usual::pitch_damping")]
     pub pitch_damping: f64,
     /// Angle of attack of the body axis at which the elevator balances the moment [deg].
-    #[schemars(range(min = -90.0, max = 90.0), extend("x-default" = "landing.angle_of_attack_deg"))]
+    #[cfg_attr(feature = "schema", schemars(range(min = -90.0, max = 90.0), extend("x-default" = "landing.angle_of_attack_deg")))]
     pub trim_deg: Option<f64>,
     /// Drag coefficient of the aeroplane in air [-].
     #[serde(default)]
-    #[schemars(range(min = 0.0))]
+    #[cfg_attr(feature = "schema", schemars(range(min = 0.0)))]
     pub drag: f64,
     /// Density of the air [kg/m³].
     #[serde(default = "usual::air_density")]
-    #[schemars(range(min = 0.0))]
+    #[cfg_attr(feature = "schema", schemars(range(min = 0.0)))]
     pub air_density: f64,
 }
 
@@ -77,23 +77,24 @@ pub struct Aeroplane {
 }
 
 /// A landing's table `[water]`.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(default)]
 pub struct Water {
     /// Density of the water [kg/m³].
-    #[schemars(extend("exclusiveMinimum" = 0))]
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub density: f64,
     /// Acceleration of gravity [m/s²].
-    #[schemars(extend("exclusiveMinimum" = 0))]
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub gravity: f64,
     /// Friction coefficient of the wetted bottom [-].
-    #[schemars(range(min = 0.0, max = 0.1))]
+    #[cfg_attr(feature = "schema", schemars(range(min = 0.0, max = 0.1)))]
     pub friction: f64,
     /// Share of the theory's suction where the keel curves up [-].
-    #[schemars(range(min = 0.0, max = 1.0))]
+    #[cfg_attr(feature = "schema", schemars(range(min = 0.0, max = 1.0)))]
     pub suction: f64,
     /// Largest suction: atmospheric less vapour pressure, for a model test times the model's scale [Pa].
-    #[schemars(range(min = 0.0))]
+    #[cfg_attr(feature = "schema", schemars(range(min = 0.0)))]
     pub largest_suction: f64,
 }
 

@@ -1,13 +1,12 @@
 //! Error of a theory in the measured case that is nearest to a scene.
 
 use settings::significant;
-use water_entry::{BOUNDARY_ELEMENT_DEADRISES, EntryModel, Section, SimilarityFlow};
+use water_entry::{BOUNDARY_ELEMENT_DEADRISES, EntryModel, OutOfRange, Section, SimilarityFlow};
 
 use super::{Theory, rolled};
 use crate::compare;
-use crate::observers::Series;
-use scene::QuantityOfInterest;
-use scene::{Body, Motion, Scene};
+use crate::observers::{Series, columns};
+use scene::{Body, Choice, Loader, Models, Motion, QuantityOfInterest, Scene};
 
 /// An error that was measured.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
@@ -219,9 +218,29 @@ fn coefficient_errors(model: EntryModel, deadrise_deg: f64) -> Option<[Option<f6
     Some([Some(force), pressure.filter(|_| model != EntryModel::VonKarman)])
 }
 
+/// A built-in scene of particles, of whose model nothing is asked.
+fn built_in(name: &str) -> Option<Scene> {
+    struct Particles;
+    impl Models for Particles {
+        fn columns(&self, scene: &Scene) -> Vec<String> {
+            columns(scene)
+        }
+        fn holds(&self, _: &Scene, _: EntryModel) -> Result<(), OutOfRange> {
+            Ok(())
+        }
+        fn spacing_within(&self, _: &Scene, _: QuantityOfInterest, _: f64) -> Option<f64> {
+            None
+        }
+        fn choose(&self, of_particles: &[Scene], _: QuantityOfInterest, _: f64) -> Choice {
+            Choice { model: of_particles[0].model, scene: 0, spacing: false, why: String::new() }
+        }
+    }
+    Some(Loader::new(&Particles).load(name, &[]).ok()?.scene)
+}
+
 /// A built-in scene, and its series by a theory as far as it holds.
 fn followed(name: &str, model: EntryModel) -> Option<(Scene, Series)> {
-    let scene = crate::load(name, &[]).ok()?.scene;
+    let scene = built_in(name)?;
     let (theory, _) = Theory::while_in_range(&scene, model).ok()?;
     let mut series = Series::new(&scene, None).ok()?;
     theory.rows(&scene).into_iter().for_each(|row| series.push(row));
@@ -238,7 +257,7 @@ fn elastic_error() -> Option<Measured> {
 }
 
 fn drop_deadrise() -> Option<f64> {
-    let scene = crate::load(DROP, &[]).ok()?.scene;
+    let scene = built_in(DROP)?;
     fsi_coupling::section_of(&scene.body?.shape).ok()?.deadrise_deg()
 }
 
