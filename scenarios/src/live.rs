@@ -11,7 +11,6 @@ use std::time::{Duration, Instant};
 use foxglove::messages::{FrameTransforms, PointCloud, SceneUpdate};
 use foxglove::websocket::Capability;
 use foxglove::{Channel, Context, Encode, PartialMetadata, RawChannel, WebSocketServerHandle};
-
 use run::log::{Frame, LogError, PROGRAM, Viewers, sample_message, sample_schema, stamp};
 
 /// Shortest time between two pictures.

@@ -297,8 +297,9 @@ impl Preflight {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use run::load;
+
+    use super::*;
 
     /// 0.2 by 0.3 m at 0.02 m are 150 particles, 1.2 by 0.4 m are 1200.
     #[test]

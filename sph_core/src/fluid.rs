@@ -2,12 +2,10 @@
 
 use std::any::Any;
 
-use crate::contact;
 use crate::domain::Domain;
 use crate::error::Breakdown;
 use crate::memory::of_vector;
 use crate::neighbours::Neighbours;
-use crate::parallel;
 use crate::particles::totals::{FluidEnergy, Totals};
 use crate::particles::{Fields, Particles, Seed};
 use crate::refinement::RefinementZone;
@@ -18,6 +16,7 @@ use crate::timers::{Phase, Timers};
 use crate::walls::interface::WallInterface;
 use crate::walls::midline::{Passage, note_start_positions, passages};
 use crate::walls::{WallLayout, Walls};
+use crate::{contact, parallel};
 
 /// A fluid that can be stepped.
 ///

@@ -3,9 +3,10 @@
 //! Adding a kernel touches this file only: a unit struct with its [`Shape`], a variant of [`Kernel`],
 //! and its arm in [`Kernel::run`].
 
+use std::f64::consts::PI;
+
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use std::f64::consts::PI;
 
 use crate::parallel;
 use crate::simd::{self, SimdReal, Task};

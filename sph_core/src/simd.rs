@@ -146,10 +146,12 @@ pub(crate) fn with_simd<T>(task: impl FnOnce() -> T) -> T {
 
 #[cfg(target_arch = "x86_64")]
 mod avx2 {
-    use super::{LANES, SimdReal};
-    use pulp::{cast, f64x4, x86::V3};
     use std::arch::x86_64::{__m256d, _CMP_LT_OQ};
     use std::ops::{Add, Div, Mul, Sub};
+
+    use pulp::{cast, f64x4, x86::V3};
+
+    use super::{LANES, SimdReal};
 
     /// Four f64, and the proof that this processor computes on them at once.
     #[derive(Clone, Copy)]

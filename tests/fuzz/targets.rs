@@ -5,14 +5,12 @@ use std::panic::{catch_unwind, resume_unwind};
 use std::path::{Path, PathBuf};
 
 use run::compare;
-use scenarios::ditching;
 use scenarios::experiments::catalogue::{Case, Catalogue};
 use scenarios::experiments::convergence::{Plan, study};
 use scenarios::experiments::{ExperimentError, coverage, stability, validation, work_precision};
-use scenarios::preflight;
 use scenarios::sweep::{SweepError, SweepFile};
-use scene::reference;
-use scene::{Loaded, SceneError};
+use scenarios::{ditching, preflight};
+use scene::{Loaded, SceneError, reference};
 
 /// Scenes that need more are not laid out [bytes].
 const MEMORY: u64 = 128 << 20;

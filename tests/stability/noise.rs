@@ -1,11 +1,11 @@
 //! Failures that show as noise, on a coarse wedge entry at constant speed: what each ingredient of the scheme is for.
 
-use sph_core::Probe;
 use std::sync::LazyLock;
 
 use evidence::statistics::{deviation, mean};
 use evidence::systems::{advance, lift, system};
 use fsi_coupling::Coupled;
+use sph_core::Probe;
 
 /// Noise of a run to Vt/Δx = 16.
 #[derive(Clone, Copy, Debug)]

@@ -1,9 +1,9 @@
 //! A piston under a column of real water, which it meets once a window: explicit coupling of any step (THEORY CO11).
 
-use crate::parameters::Parameters;
 use sph_core::{Breakdown, Fluid, Periodic, WallPoint, Walls};
 
 use crate::bare::{lattice, parameters};
+use crate::parameters::Parameters;
 
 /// Height of the column [m].
 pub const HEIGHT: f64 = 1.0;

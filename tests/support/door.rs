@@ -1,8 +1,7 @@
 //! A free wedge twice: as a rigid body of a scene, and as the nodes of a host, in the same water.
 
-use fsi_coupling::RigidMotion;
 use fsi_coupling::embed::{ElementScheme, FluidElement, FluidElementSpec, HostNodes, Topology};
-use fsi_coupling::{Coupled, Motion};
+use fsi_coupling::{Coupled, Motion, RigidMotion};
 use sph_core::projection;
 
 use crate::systems::system;

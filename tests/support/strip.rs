@@ -2,11 +2,9 @@
 
 use std::f64::consts::TAU;
 
-use fsi_coupling::RigidMotion;
 use fsi_coupling::bodies::flexible::body::FlexibleBody;
 use fsi_coupling::bodies::flexible::panel::{PanelEnd, PanelSpec, Plane};
-use fsi_coupling::{Body, Coupled, CouplingError, Outline, PrescribedBody, Scheme};
-use fsi_coupling::{FlexibleSpec, Frame};
+use fsi_coupling::{Body, Coupled, CouplingError, FlexibleSpec, Frame, Outline, PrescribedBody, RigidMotion, Scheme};
 use structure_fe::{Damping, Material, Theory};
 
 use crate::bare::{lattice, parameters};

@@ -2,8 +2,7 @@
 //! against the similar flow.
 
 use evidence::long::with_long;
-use run::load_text;
-use run::{RunOptions, run};
+use run::{RunOptions, load_text, run};
 use water_entry::{AsymmetricFlow, Balance, EntryModel, FlowEnded, RolledFlow, RolledLoad, SimilarityFlow};
 
 /// Downward speed [m/s] and first draught [m].

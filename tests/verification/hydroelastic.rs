@@ -1,11 +1,10 @@
 //! The modal beam on Wagner's load (THEORY EN12, EN13) against tables of an independent program.
 
+use evidence::long::long;
+use evidence::systems::{advance, of_text};
 use fsi_coupling::Plane;
 use structure_fe::Material;
 use water_entry::{ElasticWedge, EntryModel, Held, Loads, Section, WedgeState};
-
-use evidence::long::long;
-use evidence::systems::{advance, of_text};
 
 fn aluminium(speed: f64, thickness: f64, held: Held) -> ElasticWedge {
     ElasticWedge {

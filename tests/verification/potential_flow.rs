@@ -1,12 +1,10 @@
 //! Fully nonlinear potential flow by boundary elements (THEORY EN20–EN24, EN30) against the similarity solution and others' boundary elements.
 
-use run::load_text;
+use evidence::systems::scene;
 use run::model_hierarchy::{Theory, measured};
-use run::{RunOptions, run};
+use run::{RunOptions, load_text, run};
 use scene::QuantityOfInterest;
 use water_entry::{EntryFlow, EntryModel, FlowEntry, FlowLoad, Loads, Section, SectionMotion, SimilarityFlow};
-
-use evidence::systems::scene;
 
 /// Draught at the start [m] and downward speed [m/s].
 const START: f64 = 0.1;

@@ -1,8 +1,7 @@
 //! A tank with a piston and a beach (THEORY WA13–WA15): still water stays still, both audits close, the beach keeps the waves.
 
 use evidence::systems::{advance, scene, system};
-use run::build;
-use run::{RunOptions, run};
+use run::{RunOptions, build, run};
 use sph_core::state_bytes::StateError;
 
 /// A short tank: waves of 3 m, four of them before a beach of two.

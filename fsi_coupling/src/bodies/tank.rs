@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use sph_core::state_bytes::{StateError, decode, encode};
 use sph_core::walls::Resultant;
 use sph_core::{PlateMidline, WallForces, WallPoint, WallsMut};
+use water_entry::waves::piston_motion::PistonMotion;
 
 use crate::bodies::body::{Contact, Inspect, Linked, WettedBody};
 use crate::bodies::error::BodyError;
@@ -14,7 +15,6 @@ use crate::geometry::layout::Layout;
 use crate::geometry::plate::Plate;
 use crate::geometry::plate_sampling;
 use crate::geometry::rows::WallRows;
-use water_entry::waves::piston_motion::PistonMotion;
 
 /// A rectangular open tank. Its particles never move, but for those of a piston.
 pub struct Tank {

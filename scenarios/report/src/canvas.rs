@@ -1,7 +1,8 @@
 //! An image of pixels: filled rectangles and polygons, smooth lines, supersampled, written as PNG.
 
-use super::colour::{PAPER, Rgb};
 use std::ops::Range;
+
+use super::colour::{PAPER, Rgb};
 
 /// Samples per pixel along each direction.
 pub(super) const SAMPLES: usize = 2;

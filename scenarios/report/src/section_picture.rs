@@ -1,12 +1,12 @@
 //! A drawing of a scene's body as it was understood: outline, panels, gauges, still water.
 
-use settings::significant;
 use std::fmt::Write;
 
 use fsi_coupling::geometry::polygon;
+use scene::{Body, GaugeFrame, Scene};
+use settings::significant;
 
 use super::markup::escape;
-use scene::{Body, GaugeFrame, Scene};
 
 /// Width of the picture, and margin round the body [px].
 const WIDTH: f64 = 900.0;

@@ -5,10 +5,9 @@ use fsi_coupling::{
     Body, Coupled, CouplingError, FlexibleBody, FlexibleSpec, Frame, ModalBody, ModalSpec, Outline, PlacedBodies,
     Plate, PrescribedBody, RigidBody2d, RigidMotion, RigidSpec, Shape, Tank, WallRows,
 };
+use scene::{Follower, Modes, Motion, Moved, PanelEnd, Scene, Symmetry, domain, layout, rows};
 use sph_core::Fluid;
 use structure_fe::Damping;
-
-use scene::{Follower, Modes, Motion, Moved, PanelEnd, Scene, Symmetry, domain, layout, rows};
 
 use crate::initial_fluid::initial_fluid;
 

@@ -6,6 +6,7 @@
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
+use scene::{Bottom, Kernel, Motion, Scene, Shape, share_of_walls};
 use serde::{Deserialize, Serialize};
 
 use crate::compare;
@@ -13,7 +14,6 @@ use crate::error_bar::{ErrorBar, ErrorBars};
 use crate::numbers::Numbers;
 use crate::power_law::PowerLaw;
 use crate::summary::Summary;
-use scene::{Bottom, Kernel, Motion, Scene, Shape, share_of_walls};
 
 /// The laws of this program, written by `splashdown chart --all --fits scenarios/run/charts/fits.json`.
 static LAWS: LazyLock<Vec<ErrorLaw>> = LazyLock::new(|| {

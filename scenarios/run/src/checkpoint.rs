@@ -16,12 +16,11 @@ use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+use scene::{Follower, MOST_ROWS, Scene};
 use serde::{Deserialize, Serialize};
 use sph_core::state_bytes::{StateError, decode, encode};
 
 use crate::log::StoredLog;
-use scene::Follower;
-use scene::{MOST_ROWS, Scene};
 
 /// Name of the file.
 pub const FILE: &str = "checkpoint.bin";

@@ -1,11 +1,11 @@
 //! Our curves against reference curves and exact numbers.
 
+use scene::reference::{ReferenceError, Table, WedgeSimilarity};
+use scene::{Compare, Norm, Scene, Shape, Similarity};
 use serde::Serialize;
 use settings::significant;
 
 use crate::observers::{Series, SimilarityResult};
-use scene::reference::{ReferenceError, Table, WedgeSimilarity};
-use scene::{Compare, Norm, Scene, Shape, Similarity};
 
 /// One line of `summary.json`'s `comparison[]`.
 #[derive(Clone, Debug, Serialize)]

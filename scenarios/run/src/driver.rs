@@ -5,6 +5,7 @@ use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
 use fsi_coupling::{BodyError, Coupled, CouplingError};
+use scene::Scene;
 use sph_core::{Phase, parallel};
 use tracing::{debug, info, warn};
 
@@ -12,15 +13,12 @@ use super::checkpoint::{self, Checkpoint, fingerprint, write_whole};
 use super::panel::first_rupture;
 use super::recorder::{Observed, Recorder, next};
 use super::summary::Status;
-use crate::build;
-use crate::charted;
 use crate::compare::{self, ReferenceCurve};
 use crate::error::RunError;
 use crate::folder::{HOST_MARK, Held, prepare, refuse_occupied, write};
-use crate::model_hierarchy;
 use crate::observers::{LiveObserver, LogObserver, ObserveError};
 use crate::options::{Checkpoints, Outcome, RunOptions};
-use scene::Scene;
+use crate::{build, charted, model_hierarchy};
 
 /// Why a run stopped before its end.
 #[derive(Debug, thiserror::Error)]

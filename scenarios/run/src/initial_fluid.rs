@@ -3,9 +3,8 @@
 use fsi_coupling::geometry::layout::{Cell, Layout, tile};
 use fsi_coupling::geometry::packing::{self, Packing};
 use fsi_coupling::{Body, PlacedBodies};
-use sph_core::{Domain, Seed};
-
 use scene::Scene;
+use sph_core::{Domain, Seed};
 
 /// Water at rest under its own weight, level or not (THEORY WC19), and a block of it in the air (WC18), without the water that bodies
 /// displace; packed around them where the scene asks for it (WC20). `thin`: a body is a thin plate.
@@ -70,8 +69,9 @@ fn packed(
 
 #[cfg(test)]
 mod tests {
-    use crate::build;
     use fsi_coupling::geometry::polygon;
+
+    use crate::build;
 
     /// Σ V W of the fluid particles within 3 spacings of the body and 4 below the surface: smallest and largest [-]; and the
     /// water's area [m²].

@@ -1,9 +1,8 @@
 //! What a structure by its modes bore over a run.
 
 use fsi_coupling::ModesState;
-use serde::Serialize;
-
 use scene::Modes;
+use serde::Serialize;
 
 /// Extremes of a structure by its modes over every step.
 #[derive(Clone, Debug, Serialize)]

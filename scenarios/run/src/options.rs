@@ -4,9 +4,9 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 
-use crate::error_bar::ErrorBars;
 use scene::Scene;
 
+use crate::error_bar::ErrorBars;
 use crate::log::{LogError, Viewers};
 use crate::observers::Series;
 use crate::summary::Summary;

@@ -62,8 +62,9 @@ pub(super) fn particle_order(particles: &Particles) -> Option<ParticleOrder> {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use sph_core::{Domain, Fluid, Seed, wcsph};
+
+    use super::*;
 
     #[test]
     fn a_lattice_is_a_spacing_apart_and_a_pair_is_found() {

@@ -4,6 +4,7 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use fsi_coupling::Coupled;
+use scene::{Scene, known_compressibility_error, thesis_work};
 use sph_core::{Fluid, Phase, Solver, projection};
 use tracing::warn;
 
@@ -23,7 +24,6 @@ use crate::observers::{
     SimilarityResult, SimilarityWindow, WorstPenetration, body_values, unlikely_waves,
 };
 use crate::results::{ResultsObserver, Verdict};
-use scene::{Scene, known_compressibility_error, thesis_work};
 
 /// Means are taken over the run from this share of it on.
 const LATE: f64 = 0.8;

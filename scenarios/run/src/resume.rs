@@ -2,19 +2,17 @@
 
 use std::path::{Path, PathBuf};
 
+use scene::{MOST_ROWS, Scene, all_warnings, with_end};
 use tracing::{info, warn};
 
 use super::checkpoint::{Checkpoint, CheckpointError, fingerprint, write_whole};
 use super::driver::{Run, start_live};
 use super::recorder::Recorder;
-use crate::build;
-use crate::compare;
 use crate::error::RunError;
 use crate::folder::hold;
 use crate::observers::LogObserver;
 use crate::options::{Outcome, RunOptions};
-use scene::with_end;
-use scene::{MOST_ROWS, Scene, all_warnings};
+use crate::{build, compare};
 
 /// Files that say how a run ended: none of a run that goes on.
 const OF_THE_END: [&str; 2] = ["summary.json", "report.html"];

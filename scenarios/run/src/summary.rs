@@ -1,21 +1,22 @@
 //! `summary.json`: the contract that other programs read.
 
-use settings::significant;
 use std::collections::BTreeMap;
 
 use serde::Serialize;
+use settings::significant;
 use sph_core::{Phase, Timers};
 
 pub use super::audit::Audit;
 use super::link_results::{ContactResult, JointResult};
 pub use super::modes::ModesResult;
 pub use super::panel::{Extremes, PanelEnvelope, PanelResult, Rupture};
+use scene::{CouplingScheme, FITTED_MACH};
+
 use super::particle_order::ParticleOrder;
 use crate::compare::Comparison;
 use crate::error_bar::ErrorBars;
 use crate::observers::{GaugeResult, Rest, RuleResult, SimilarityResult, Water, Waves};
 use crate::results::{FilteredAcceleration, Results, Verdict};
-use scene::{CouplingScheme, FITTED_MACH};
 
 /// How a run ended.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]

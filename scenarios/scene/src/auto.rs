@@ -133,9 +133,10 @@ pub fn auto_reach(sound_speed: f64, end: f64, fine_zone: [f64; 2], gravity: [f64
 
 #[cfg(test)]
 mod tests {
+    use sph_core::FluidSettings;
+
     use super::super::bottom::Bottom;
     use super::*;
-    use sph_core::FluidSettings;
 
     fn wedge(deadrise_deg: f64, half_breadth: f64, final_draught: f64) -> Entry {
         let slope = deadrise_deg.to_radians().tan();

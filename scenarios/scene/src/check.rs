@@ -2,6 +2,11 @@
 
 use std::fmt::Display;
 
+use fsi_coupling::Shape;
+use fsi_coupling::geometry::plate::too_tight;
+use fsi_coupling::geometry::polygon;
+use settings::{Problem, require, significant};
+
 use super::auto::hydrostatic_sound;
 use super::incompressible::check_projection_step;
 use super::keys::{Block, Body, Gauge, GaugeFrame, Motion, Scene, Similarity, Symmetry};
@@ -10,10 +15,6 @@ use super::references::check_reference;
 use super::resolve_links::{check_links, further};
 use super::symmetric::{check_symmetric, on_axis};
 use super::waves::check_waves;
-use fsi_coupling::Shape;
-use fsi_coupling::geometry::plate::too_tight;
-use fsi_coupling::geometry::polygon;
-use settings::{Problem, require, significant};
 
 /// Spacings across the thinnest part of a body: three rows of wall particles behind each face.
 const THINNEST_BODY: f64 = 6.0;

@@ -3,9 +3,9 @@
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Map, Value};
+use settings::{Problem, Schema};
 
 use super::source::{Segment, segments};
-use settings::{Problem, Schema};
 
 /// A table of settings that has been checked against its schema and is not yet complete.
 #[derive(Clone)]

@@ -2,13 +2,14 @@
 
 use std::f64::consts::FRAC_PI_2;
 
+use fsi_coupling::Shape;
+use settings::significant;
+
 use super::air_warnings::{flat_contact, vapour};
 use super::auto::WATER_SOUND;
 use super::bottom::Bottom;
 use super::impact::{Entry, LEAST_DRAUGHT, jet_reach, known_compressibility_error, sound_speed_for};
 use super::keys::{Body, Motion, Scene};
-use fsi_coupling::Shape;
-use settings::significant;
 
 /// Spacings across the length with 90 % of the peak pressure: 17 give the peak to 2–4 %, 5 to 25 %.
 const PEAK_SPACINGS: f64 = 17.0;

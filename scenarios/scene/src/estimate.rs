@@ -1,8 +1,9 @@
 //! The size of the work, before any particle exists.
 
+use fsi_coupling::geometry::polygon;
+
 use super::keys::{Scene, Symmetry};
 use super::legacy::wall_rows;
-use fsi_coupling::geometry::polygon;
 
 /// Memory per particle of a run [bytes]: 242 for state, scratch and neighbour lists (`bench`), the rest while the water is
 /// laid out and for what the log and the report keep; 430 measured between runs of 87 000 and 334 000 particles.

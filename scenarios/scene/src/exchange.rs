@@ -2,9 +2,9 @@
 
 use fsi_coupling::geometry::polygon;
 use fsi_coupling::{Beside, PanelExchange, Shape, exchange_ratio};
+use settings::significant;
 
 use super::keys::{Body, CouplingScheme, Freedom, Motion, Panel, Scene, Symmetry, panel_length};
-use settings::significant;
 
 /// Spectral radius of the weak exchange up to which it was smooth: 0.83 was, 1.0 shook (`tests/stability/coupling.rs`).
 const SMOOTH: f64 = 0.84;

@@ -1,9 +1,10 @@
 //! What a gauge of a scene reads wrongly, told before the run.
 
+use settings::significant;
+
 use super::bottom::Bottom;
 use super::impact::Entry;
 use super::keys::{Gauge, GaugeFrame, Scene, Symmetry};
-use settings::significant;
 
 /// A gauge so near to the floor, at the foot of a wall, reads too much where weakly compressible water arrives [spacings].
 const FOOT: f64 = 4.0;

@@ -1,9 +1,10 @@
 //! What is doubtful beside the keel of a steep wedge.
 
-use super::keys::{Body, Gauge, GaugeFrame, Scene};
 use fsi_coupling::Shape;
 use settings::significant;
 use water_entry::keel::KeelLaw;
+
+use super::keys::{Body, Gauge, GaugeFrame, Scene};
 
 /// Deadrise from which the force is more than 1 % high at 64 spacings of draught [deg].
 const STEEP_DEG: f64 = 65.0;

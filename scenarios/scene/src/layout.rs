@@ -2,8 +2,7 @@
 
 use fsi_coupling::WallRows;
 use fsi_coupling::geometry::layout::{Basin, Layout};
-use sph_core::Domain;
-use sph_core::Mirror;
+use sph_core::{Domain, Mirror};
 
 use super::follow::Follower;
 use super::keys::{Scene, Symmetry};

@@ -152,8 +152,9 @@ fn fill(table: &mut Map<String, Value>, name: &str, numbers: &[(&str, f64)]) {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use serde_json::json;
+
+    use super::*;
 
     #[test]
     fn numbers_that_the_scene_gives_count_before_those_of_the_name() {

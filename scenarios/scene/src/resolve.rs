@@ -18,11 +18,10 @@ use super::keys::{
     Beach, Body, Compare, Coupling, CouplingScheme, GRAVITY, Gauge, Joint, Lattice, Motion, Resolution, Scene,
     SolverSettings, Tank, Time, Water, WaveMaker, WeaklyCompressibleFluid,
 };
-use super::legacy;
 use super::resolve_body::resolve_body;
 use super::resolve_links::resolve_further_bodies;
 use super::source::word;
-use super::under_water;
+use super::{legacy, under_water};
 
 /// Rows of the series and frames of particles in a run, where the scene does not say.
 const SAMPLES: f64 = 500.0;

@@ -2,6 +2,11 @@
 
 use std::f64::consts::TAU;
 
+use fsi_coupling::PanelEnd;
+use settings::significant;
+use sph_core::{Dissipation, Kernel, Solver};
+use water_entry::EntryModel;
+
 use super::auto::{ACOUSTIC_REACH, WATER_SOUND};
 use super::entry_warnings::{entry_warnings, lost_forces, short_of_water_all};
 use super::exchange::{light_bodies, light_panels};
@@ -12,10 +17,6 @@ use super::keys::{Body, Gauge, Panel, Scene, WeaklyCompressibleFluid, panel_leng
 use super::legacy;
 use super::resolve_links::thin_film;
 use super::waves::wave_warnings;
-use fsi_coupling::PanelEnd;
-use settings::significant;
-use sph_core::{Dissipation, Kernel, Solver};
-use water_entry::EntryModel;
 
 const LARGEST_CFL: f64 = 0.8;
 

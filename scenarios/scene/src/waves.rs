@@ -2,9 +2,8 @@
 
 use fsi_coupling::geometry::polygon;
 use settings::{Problem, require, significant};
-use water_entry::waves::linear_wave::LinearWave;
-
 use sph_core::Solver;
+use water_entry::waves::linear_wave::LinearWave;
 
 use super::keys::{Beach, Body, GaugeFrame, Scene, SolverSettings, Symmetry, WaveMaker};
 use super::resolve_links::further;

@@ -1,9 +1,8 @@
 //! Why a measurement failed.
 
-use sph_core::Breakdown;
-
 use run::RunError;
 use scene::SceneError;
+use sph_core::Breakdown;
 
 /// A measurement that could not be made.
 #[derive(Debug, thiserror::Error)]

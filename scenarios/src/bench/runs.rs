@@ -5,12 +5,12 @@ use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-use serde::Serialize;
-
-use super::error::BenchError;
 use run::summary::{PhaseTime, Summary};
 use run::{RunOptions, run};
 use scene::Scene;
+use serde::Serialize;
+
+use super::error::BenchError;
 
 /// A column of water of 1 m x 2 m lets go; 20 000 particles.
 const COLUMN: &str = include_str!("column.toml");

@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 
+use run::summary::PhaseTime;
 use sph_core::Phase;
 
 use super::{Bench, Block, Column, LogCost, OneAndAll};
-use run::summary::PhaseTime;
 
 /// Width of the bar of phases in letters.
 const BAR: usize = 60;

@@ -3,15 +3,15 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use report::section_picture;
+use run::RunError;
+use run::model_hierarchy::Theory;
+use scene::nearest;
 
 use super::shared::{DONE, Output, SceneArgs, Stop, load, say, write};
 use crate::ditching;
 use crate::preflight::preflight;
 use crate::templates::TEMPLATES;
-use report::section_picture;
-use run::RunError;
-use run::model_hierarchy::Theory;
-use scene::nearest;
 
 pub(super) fn list(output: &Output) -> Result<u8, Stop> {
     let mut scenes = Vec::new();

@@ -1,9 +1,8 @@
 //! `splashdown export`: the frames of a run, its panels with their loads, or a scene as the files of the solver of 2010.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
-use std::path::PathBuf;
 
 use super::shared::{DONE, Output, SceneArgs, Stop, say};
 use super::thesis_files;

@@ -1,14 +1,13 @@
 //! `splashdown keywords` and `schema`: every key, material and water.
 
 use clap::Args;
+use scene::{MATERIALS, WATER_TABLE, nearest};
 use serde_json::{Value, json};
 use settings::{Keyword, Schema};
 
 use super::shared::{DONE, Output, Stop, say};
 use crate::ditching;
 use crate::reference_page::reference_page;
-use scene::nearest;
-use scene::{MATERIALS, WATER_TABLE};
 
 #[derive(Args)]
 pub(super) struct KeywordsArgs {

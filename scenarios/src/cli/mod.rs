@@ -20,13 +20,12 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{CommandFactory, Parser, Subcommand};
-use tracing_subscriber::filter::{LevelFilter, Targets};
-use tracing_subscriber::layer::SubscriberExt;
-use tracing_subscriber::util::SubscriberInitExt;
-
 use experiments::{convergence, stability, work_precision};
 use shared::{DONE, FAILED, INPUT, Output, Stop, complain, say, unsaid, was_said};
 use tips::tips;
+use tracing_subscriber::filter::{LevelFilter, Targets};
+use tracing_subscriber::layer::SubscriberExt;
+use tracing_subscriber::util::SubscriberInitExt;
 
 /// Threads for each core, at most: more only wait for each other.
 const MOST_THREADS: usize = 8;

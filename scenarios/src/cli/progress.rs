@@ -1,6 +1,5 @@
 //! What `run` and `resume` share: requests to end, progress, results in words.
 
-use settings::significant;
 use std::io::IsTerminal;
 use std::net::SocketAddr;
 use std::path::Path;
@@ -8,14 +7,15 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
-
-use super::shared::{DONE, Output, Stop, complain, say};
-use crate::live::LiveView;
 use run::log::{LogError, Viewers};
 use run::results::Quantity;
 use run::summary::{Status, Summary};
 use run::{Outcome, RunError, RunOptions};
 use scene::Scene;
+use settings::significant;
+
+use super::shared::{DONE, Output, Stop, complain, say};
+use crate::live::LiveView;
 
 /// A second Ctrl-C or SIGTERM after this time ends the process at once. An earlier one is the same request, sent to the
 /// process and to its group.

@@ -1,14 +1,14 @@
 //! `splashdown resume`.
 
-use report::page_of_run;
-use settings::significant;
 use std::path::PathBuf;
 
 use clap::Args;
+use report::page_of_run;
+use run::{Checkpoints, Resumable, RunOptions};
+use settings::significant;
 
 use super::progress::{interval, listen, step_to_end, viewers_at};
 use super::shared::{LiveArgs, Output, Stop, seconds};
-use run::{Checkpoints, Resumable, RunOptions};
 
 /// Ends over the one before from which one is most likely meant in milliseconds.
 const FAR: f64 = 100.0;

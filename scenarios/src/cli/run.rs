@@ -1,17 +1,17 @@
 //! `splashdown run`.
 
-use report::page_of_run;
 use std::path::PathBuf;
 
 use clap::Args;
-
-use super::experiments::convergence;
-use super::progress::{interval, listen, step_to_end, viewers_at};
-use super::shared::{LiveArgs, Output, SceneArgs, Stop, load, seconds};
+use report::page_of_run;
 use run::error_bar::ErrorBars;
 use run::folder::refuse_occupied;
 use run::summary::Summary;
 use run::{Checkpoints, RunOptions, run};
+
+use super::experiments::convergence;
+use super::progress::{interval, listen, step_to_end, viewers_at};
+use super::shared::{LiveArgs, Output, SceneArgs, Stop, load, seconds};
 
 #[derive(Args)]
 pub(super) struct RunArgs {

@@ -7,13 +7,11 @@ use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Args;
-use serde::Serialize;
-use settings::Problem;
-use settings::convert;
-
 use run::RunError;
 use run::memory::available_memory;
 use scene::{Loaded, SceneError};
+use serde::Serialize;
+use settings::{Problem, convert};
 
 /// Exit code: done.
 pub(super) const DONE: u8 = 0;

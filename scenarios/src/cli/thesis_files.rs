@@ -3,11 +3,11 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use scene::read_text;
 use settings::Problem;
 
 use super::shared::{DONE, Output, SceneArgs, Stop, load, say, write};
 use crate::thesis_files::{Indat, Ipart, ThesisFileError, files_of, scene_of};
-use scene::read_text;
 
 #[derive(Args)]
 pub(super) struct ImportArgs {

@@ -2,7 +2,6 @@
 
 use clap::Command;
 use clap::error::{ContextKind, ContextValue};
-
 use scene::nearest;
 
 /// Most keys that a tip names.

@@ -1,9 +1,8 @@
 //! The aeroplane of a landing, of its keys.
 
-use settings::significant;
 use std::f64::consts::TAU;
 
-use settings::{Problem, require};
+use settings::{Problem, require, significant};
 use water_entry::EntryModel;
 use water_entry::ditching::{Aeroplane, Bending, FuselageError, Masses, Nacelle, Panel, Rib, Surface};
 

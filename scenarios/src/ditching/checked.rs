@@ -1,12 +1,12 @@
 //! What the file of a landing must keep to, and the landing that it gives.
 
+use scene::source::{LARGEST_NUMBER, word};
 use settings::{Problem, require};
 use water_entry::ditching::{Aeroplane, Form, Fuselage, FuselageError, Hull, Landing, OF_LANDINGS, Station};
 
 use super::aeroplane::aeroplane;
 use super::model::{LandingKeys, Scene, StationKeys};
 use super::sea;
-use scene::source::{LARGEST_NUMBER, word};
 
 /// Most steps of a run.
 const MOST_STEPS: f64 = 1e6;

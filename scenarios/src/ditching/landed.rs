@@ -3,6 +3,8 @@
 use std::f64::consts::TAU;
 use std::time::Instant;
 
+use report::run_page::quantity::digits;
+use run::summary::{Peak, Status};
 use serde::Serialize;
 use settings::Problem;
 use water_entry::ditching::{Bending, LandingEnd, LandingResult, Swell};
@@ -13,8 +15,6 @@ use super::loads::{self, Accelerometer, Bent, PartLoad, StationLoad};
 use super::model::Scene;
 use super::sea::{self, Sea};
 use super::series::Series;
-use report::run_page::quantity::digits;
-use run::summary::{Peak, Status};
 
 /// What is said of all loads of a landing.
 const NO_BAND: &str = "no band of these loads and accelerations is known: do not design by them";

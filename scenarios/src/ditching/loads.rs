@@ -1,5 +1,6 @@
 //! What the structure of a landing bears: stations of the fuselage, and parts that meet the water.
 
+use run::summary::Peak;
 use serde::Serialize;
 use settings::significant;
 use water_entry::ditching::{Bending, Landing, LandingState, Masses};
@@ -7,7 +8,6 @@ use water_entry::ditching::{Bending, Landing, LandingState, Masses};
 use super::model::Scene;
 use super::parts::AccelerometerKeys;
 use super::series::Series;
-use run::summary::Peak;
 
 /// Largest accelerations at a place.
 #[derive(Clone, Debug, Serialize)]

@@ -30,18 +30,16 @@ use std::fs;
 use std::path::Path;
 use std::sync::LazyLock;
 
-use include_dir::{Dir, include_dir};
-use settings::Problem;
-use water_entry::ditching::Wing;
-
 use checked::checked;
+use include_dir::{Dir, include_dir};
 use run::RunError;
 use run::folder::{refuse_files, write};
-use scene::SceneError;
 use scene::draft::Draft;
 use scene::mistaken_file::Expected;
 use scene::source::Source;
-use scene::texts;
+use scene::{SceneError, texts};
+use settings::Problem;
+use water_entry::ditching::Wing;
 
 pub use landed::{Landed, Structure, Summary, follow};
 pub use loads::{Accelerometer, PartLoad, StationLoad};

@@ -1,15 +1,16 @@
 //! `report.html` of a landing: its largest loads, what they leave out, curves, side views.
 
-use super::landed::{Landed, Structure, seconds};
-use super::loads::StationLoad;
-use super::model::Scene;
-use super::side_views::side_views;
 use report::run_page::folded;
 use report::run_page::quantity::{Unit, digits, with_unit};
 use report::{
     Block, Card, Chart, Curve, Lead, Mark, Table, Tone, escape, hint_html, lead_html, page as html_page, row,
 };
 use run::summary::{Peak, Status};
+
+use super::landed::{Landed, Structure, seconds};
+use super::loads::StationLoad;
+use super::model::Scene;
+use super::side_views::side_views;
 
 /// What stands beside accelerations.
 const MEASURED: &str = "model tests: see what the loads leave out";

@@ -2,16 +2,15 @@
 
 use std::path::PathBuf;
 
+use run::summary::Status;
+use run::{RunError, RunOptions, load_text, run};
+use scene::SceneError;
 use serde::Serialize;
 use water_entry::ditching::{Form, Hull, ImpactingPart, SectionLoad};
 
 use super::checked::hull;
 use super::landed::Landed;
 use super::model::Scene;
-use run::load_text;
-use run::summary::Status;
-use run::{RunError, RunOptions, run};
-use scene::SceneError;
 
 /// Particle spacings over the breadth of a section, at least.
 const SPACINGS: f64 = 200.0;

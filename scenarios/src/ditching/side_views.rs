@@ -1,12 +1,12 @@
 //! The fuselage on the water at a few moments of a landing.
 
+use report::run_page::quantity::{Unit, digits};
+use report::{Block, LandingScales, LandingView, landing_view_svg};
 use water_entry::ditching::{Fuselage, LandingState, Swell};
 
 use super::checked::hull;
 use super::landed::{Landed, seconds};
 use super::model::Scene;
-use report::run_page::quantity::{Unit, digits};
-use report::{Block, LandingScales, LandingView, landing_view_svg};
 
 /// Points along the keel.
 const POINTS: usize = 120;

@@ -5,11 +5,10 @@ use std::marker::PhantomData;
 use std::path::Path;
 
 use include_dir::Dir;
+use scene::{embedded, read_text};
 use serde::de::DeserializeOwned;
 
 use super::ExperimentError;
-use scene::embedded;
-use scene::read_text;
 
 /// A case of an experiment.
 pub trait Case: Clone + DeserializeOwned {

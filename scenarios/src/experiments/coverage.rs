@@ -3,6 +3,8 @@
 //! A case is a TOML file in `scenarios/cases/bands`: a scene and numbers of its `summary.json` whose exact values are known.
 
 use include_dir::{Dir, include_dir};
+use report::{Table, known};
+use run::error_bar::ErrorBar;
 use serde::Serialize;
 
 use super::catalogue::Catalogue;
@@ -10,8 +12,6 @@ use super::convergence::coarser_runs;
 use super::runs::{run_to_end, scene_with};
 use super::validation::{Case, Expect};
 use super::{ExperimentError, yes};
-use report::{Table, known};
-use run::error_bar::ErrorBar;
 
 static FOLDER: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/cases/bands");
 

@@ -3,11 +3,12 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-use super::ExperimentError;
 use run::numbers::Numbers;
 use run::summary::Summary;
 use run::{self, RunOptions};
 use scene::{Scene, SceneError};
+
+use super::ExperimentError;
 
 /// A run that has ended.
 pub struct RunRecord {

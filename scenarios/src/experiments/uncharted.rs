@@ -1,12 +1,13 @@
 //! `splashdown bands --uncharted`: how often the error bar that a run has from stored charts contains the exact value, for wedges at
 //! constant speed that are on no chart.
 
-use super::coverage::Line;
-use super::runs::{run_to_end, scene_with};
-use super::{ExperimentError, yes};
 use report::Table;
 use run::compare::similarity_of;
 use scene::{SceneError, jet_reach};
+
+use super::coverage::Line;
+use super::runs::{run_to_end, scene_with};
+use super::{ExperimentError, yes};
 
 /// Range of deadrise [deg], of speeds [m/s] and of spacings in the draught [-] that cases are drawn from.
 const DEADRISE: [f64; 2] = [10.5, 44.5];

@@ -6,14 +6,14 @@
 use std::path::PathBuf;
 
 use include_dir::{Dir, include_dir};
+use report::{Column, Table};
+use run::{self, RunOptions};
+use scene::Scene;
 use serde::{Deserialize, Serialize};
 
 use super::catalogue::{self, Catalogue};
 use super::runs::RunRecord;
 use super::{ExperimentError, yes};
-use report::{Column, Table};
-use run::{self, RunOptions};
-use scene::Scene;
 
 static FOLDER: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/cases/validation");
 

@@ -1,7 +1,8 @@
 //! The bodies of all frames as a table: `bodies.csv`, `bodies.parquet`.
 
-use crate::data_table::DataTable;
 use run::log::LoggedFrame;
+
+use crate::data_table::DataTable;
 
 /// Rows of frame, time [s], name, position [m] and angle [deg].
 #[derive(Default)]

@@ -4,9 +4,10 @@ use std::fs::File;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
+use run::log::{LoggedFrame, Point};
+
 use super::bodies::BodyRows;
 use super::frame_writer::FrameWriter;
-use run::log::{LoggedFrame, Point};
 
 /// Columns of a table of particles.
 const COLUMNS: &str = "id,x_m,y_m,vx_m_per_s,vy_m_per_s,pressure_Pa,density_kg_per_m3,spacing_m";

@@ -3,12 +3,12 @@
 use std::path::{Path, PathBuf};
 
 use fsi_coupling::PanelModes;
+use scene::{MILLIMETRE, Modes, NaturalMode, line};
 use structure_fe::Damping;
 
 use super::panels::scene_of;
 use super::structure::PanelModel;
 use super::{ExportError, loads_missing};
-use scene::{MILLIMETRE, Modes, NaturalMode, line};
 
 /// What was written.
 #[derive(Clone, Debug, PartialEq, Eq)]

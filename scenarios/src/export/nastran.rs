@@ -4,9 +4,10 @@
 use std::io;
 use std::path::Path;
 
-use super::loads::PanelLoads;
 use scene::nastran::cards::Value::{Blank, Real, Whole, Word};
 use scene::nastran::cards::{Value, comment, written};
+
+use super::loads::PanelLoads;
 
 /// Numbers of the sets of loads, after that of the panel: pressures, forces of an instant, loads over time; then one per load.
 const PRESSURES: i64 = 1;
@@ -117,11 +118,12 @@ impl PanelLoads<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::structure::PanelModel;
-    use super::*;
     use run::load;
     use scene::nastran::cards::{cards, rewritten};
     use scene::nastran::model::BeamModel;
+
+    use super::super::structure::PanelModel;
+    use super::*;
 
     /// Every card of the three files is read back and written again to the same text.
     #[test]

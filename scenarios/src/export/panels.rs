@@ -2,16 +2,15 @@
 
 use std::path::{Path, PathBuf};
 
+use run::load;
+use run::log::read_samples;
+use run::observers::{LOADS, load_names};
+use scene::{Scene, read_text};
 use serde_json::Value;
 
 use super::loads::PanelLoads;
 use super::structure::PanelModel;
 use super::{ExportError, loads_missing, time_of_run};
-use run::load;
-use run::log::read_samples;
-use run::observers::{LOADS, load_names};
-use scene::Scene;
-use scene::read_text;
 
 /// A form of the loads on panels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -3,10 +3,11 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
+use run::log::{LoggedFrame, Point};
+
 use super::bodies::BodyRows;
 use super::frame_writer::FrameWriter;
 use crate::data_table::{Cells, DataTable, ParquetFile};
-use run::log::{LoggedFrame, Point};
 
 pub(super) struct ParquetWriter {
     fluid: ParquetFile,

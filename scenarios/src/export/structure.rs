@@ -1,10 +1,9 @@
 //! A panel as a Nastran beam model, and what places its loads: its nodes and tributary lengths.
 
 use fsi_coupling::PanelEnd;
-use structure_fe::{Element, Theory};
-
 use scene::nastran::model::{Bar, BeamModel, Constraint, Grid, Isotropic, Orientation, Property};
 use scene::{Panel, Scene, line};
+use structure_fe::{Element, Theory};
 
 /// Numbers of the cards of a panel begin with its place among the panels times this.
 pub(super) const NUMBERS: i64 = 100_000;

@@ -4,8 +4,9 @@ use std::fs::File;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-use super::frame_writer::FrameWriter;
 use run::log::{LoggedFrame, Point};
+
+use super::frame_writer::FrameWriter;
 
 /// Groups of files, each with a collection of its own.
 const GROUPS: [&str; 3] = ["fluid", "walls", "bodies"];

@@ -1,11 +1,11 @@
 //! Axes of a sweep: lists, ranges, axes that go together, Latin hypercubes; and their product.
 
+use scene::SceneError;
 use toml::de::{DeTable, DeValue};
 use toml::{Spanned, Value};
 
 use super::latin_hypercube::latin_hypercube;
 use super::toml_reader::{Entry, TomlReader};
-use scene::SceneError;
 
 /// Most values of an axis, samples of a hypercube, and points of a sweep.
 pub(super) const MOST_POINTS: usize = 100_000;

@@ -3,6 +3,9 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use scene::mistaken_file::{Expected, refuse_other_kind};
+use scene::source::segments;
+use scene::{SceneError, read_text};
 use serde::{Deserialize, Serialize};
 use toml::Value;
 
@@ -10,10 +13,6 @@ use super::axes::{Block, MOST_POINTS, grid, hypercube, product, zip};
 use super::error::SweepError;
 use super::toml_reader::{Entry, TomlReader};
 use crate::ditching;
-use scene::SceneError;
-use scene::mistaken_file::{Expected, refuse_other_kind};
-use scene::read_text;
-use scene::source::segments;
 
 /// What a point is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]

@@ -6,15 +6,15 @@ use std::path::{Path, PathBuf};
 use std::thread;
 use std::time::{Duration, Instant};
 
+use run::RunError;
+use run::folder::refuse_occupied;
+use scene::read_text;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use super::error::SweepError;
 use super::plan::{Plan, Task};
-use run::RunError;
-use run::folder::refuse_occupied;
-use scene::read_text;
 
 /// A process that only looks at a lock holds it for less than this.
 const PATIENCE: Duration = Duration::from_millis(150);

@@ -1,12 +1,13 @@
 //! `sweep.html`: worst cases, trends, response surfaces, points and failures.
 
+use report::run_page::in_words;
+use report::{Block, Card, Lead, Table, Tone, hint_html, lead_html, page as html_page};
+
 use super::collect::{Collected, Number, PointResult};
 use super::surfaces::surfaces;
 use super::table::{Worst, folder_of, worst};
 use super::trends::{charted, trends};
 use super::words::{Quantity, axis_label, axis_number, inside, place_of, verdict};
-use report::run_page::in_words;
-use report::{Block, Card, Lead, Table, Tone, hint_html, lead_html, page as html_page};
 
 /// Most points that the page lists; the rest is in `table.csv`.
 const MOST_LISTED: usize = 2000;

@@ -5,13 +5,13 @@ use std::hash::Hasher;
 use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
+use scene::{Loaded, SceneError};
 use serde::{Deserialize, Serialize};
 use siphasher::sip128::{Hasher128, SipHasher13};
 
 use super::error::SweepError;
 use super::file::{Kind, SCENE_AXIS, SweepFile, assignment};
 use crate::ditching;
-use scene::{Loaded, SceneError};
 
 /// What the process of a point is given.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]

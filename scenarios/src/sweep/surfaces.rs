@@ -1,13 +1,14 @@
 //! Response surfaces of a sweep over two axes or more.
 
+use report::run_page::quantity::digits;
+use report::{Block, Table};
+
 use super::collect::{Collected, PointResult};
 use super::heat_map::{HeatMap, heat_map_svg};
 use super::response::Response;
 use super::table::plain;
 use super::trends::{charted, numeric_axes};
 use super::words::{Quantity, axis_label, axis_value, inside};
-use report::run_page::quantity::digits;
-use report::{Block, Table};
 
 /// Most pairs of axes that are drawn.
 const MOST_PAIRS: usize = 3;

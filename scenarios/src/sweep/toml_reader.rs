@@ -4,12 +4,11 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use miette::NamedSource;
+use scene::SceneError;
+use scene::source::LARGEST_NUMBER;
 use settings::Problem;
 use toml::de::{DeTable, DeValue};
 use toml::{Spanned, Value};
-
-use scene::SceneError;
-use scene::source::LARGEST_NUMBER;
 
 /// A file's name and text.
 pub(super) struct TomlReader<'a> {

@@ -1,12 +1,12 @@
 //! Charts of each quantity against each axis: colours and dashes by the other axes, bands, marks for what is not resolved.
 
+use report::run_page::in_words;
+use report::{Block, CATEGORIES, Chart, Curve, Mark, Paint, Rgb, TrendLine};
 use serde_json::Value;
 
 use super::collect::{Collected, Number, PointResult};
 use super::response::extent;
 use super::words::{Quantity, axis_label, axis_value};
-use report::run_page::in_words;
-use report::{Block, CATEGORIES, Chart, Curve, Mark, Paint, Rgb, TrendLine};
 
 /// Most quantities and axes that are drawn.
 const MOST_QUANTITIES: usize = 8;

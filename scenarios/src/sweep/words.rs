@@ -1,5 +1,9 @@
 //! Quantities and axes of a sweep in the words and units of the page.
 
+use report::run_page::quantity::{Unit, column, digits, result};
+use report::run_page::{in_words as verdict_in_words, two_digits};
+use report::{COARSE, Tone};
+use run::results::is_withheld;
 use serde_json::Value;
 use settings::significant;
 
@@ -7,10 +11,6 @@ use super::collect::{BEYOND, Collected, Number, PointResult};
 use super::file::SCENE_AXIS;
 use super::plan::Axis;
 use super::table::plain;
-use report::run_page::quantity::{Unit, column, digits, result};
-use report::run_page::{in_words as verdict_in_words, two_digits};
-use report::{COARSE, Tone};
-use run::results::is_withheld;
 
 /// A quantity in words, in a unit that suits its largest value.
 #[derive(Clone, Debug, PartialEq)]

@@ -3,13 +3,14 @@
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
+use run::summary::Status;
+use run::{Checkpoints, Resumable, RunError, RunOptions, run};
+use scene::Loaded;
+
 use super::error::SweepError;
 use super::folder::{Outcome, PointFolder, SweepFolder};
 use super::plan::Resolved;
 use crate::ditching;
-use run::summary::Status;
-use run::{Checkpoints, Resumable, RunError, RunOptions, run};
-use scene::Loaded;
 
 /// Run a point of a planned sweep; an interrupted one keeps no outcome, so that it runs again: from its checkpoint, where it has one.
 ///

@@ -1,13 +1,13 @@
 //! From a scene to INDAT and IPART.
 
 use fsi_coupling::CouplingError;
+use run::build::build;
+use scene::Scene;
+use scene::keys::{Lattice, Symmetry, WeaklyCompressibleFluid};
 use sph_core::legacy::EquationOfState;
 use sph_core::{DensityFilter, Integrator, Kernel, Turbulence, WallModel};
 
 use super::{Indat, Ipart, Particle};
-use run::build::build;
-use scene::Scene;
-use scene::keys::{Lattice, Symmetry, WeaklyCompressibleFluid};
 
 /// Both files of a scene at its start, and what of the scene they cannot say.
 ///

@@ -5,8 +5,7 @@ use std::fs;
 use std::path::Path;
 
 use report::section_picture;
-use run::{RunOptions, run};
-use run::{load, load_text};
+use run::{RunOptions, load, load_text, run};
 use scenarios::preflight::preflight;
 use scene::{Loaded, Shape, panel_length};
 

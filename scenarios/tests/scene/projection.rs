@@ -1,7 +1,6 @@
 //! What an incompressible solver makes of a scene: its defaults, its table, its warnings.
 
-use run::{RunOptions, run};
-use run::{load, load_text};
+use run::{RunOptions, load, load_text, run};
 use scenarios::preflight::preflight;
 use scene::{Scene, SolverSettings, builtin};
 

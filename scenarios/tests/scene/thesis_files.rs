@@ -1,7 +1,6 @@
 //! INDAT and IPART of a scene, and the scene made of them again.
 
-use run::{RunOptions, run};
-use run::{load, load_text};
+use run::{RunOptions, load, load_text, run};
 use scenarios::thesis_files::{Indat, Ipart, Particle, files_of, scene_of};
 use scene::Shape;
 

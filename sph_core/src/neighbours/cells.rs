@@ -8,12 +8,11 @@
 use std::ops::Range;
 
 use crate::memory::of_vector;
-pub use crate::neighbours::point::Point;
-use crate::simd::LANES;
-
 use crate::neighbours::levels::{Extent, Level, LevelBounds};
+pub use crate::neighbours::point::Point;
 use crate::neighbours::sorting::{Places, count_cells, place_points};
 use crate::parallel;
+use crate::simd::LANES;
 
 /// Points sorted into cells; see the module's text.
 #[derive(Clone, Debug, Default)]
@@ -176,8 +175,9 @@ impl Cells {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use proptest::prelude::*;
+
+    use super::*;
 
     fn brute(points: &[Point], at: &Point) -> Vec<u32> {
         let near = |p: &&Point| {

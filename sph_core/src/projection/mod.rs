@@ -15,6 +15,14 @@ mod pair_clusters;
 mod pressure;
 mod settings;
 
+use forces::PressureForces;
+use free_surface::detection::SurfaceDetection;
+use lattice::Lattice;
+use linear_pressure::LinearPressure;
+use motion::{StepLimit, move_particles};
+use operators::Operators;
+use pressure::PressureEquation;
+
 use crate::domain::Domain;
 use crate::error::Breakdown;
 use crate::forces::PairTerms;
@@ -27,14 +35,6 @@ use crate::state_bytes::{StateError, decode, encode};
 use crate::system::ParticleSystem;
 use crate::timers::Phase;
 use crate::walls::Walls;
-
-use forces::PressureForces;
-use free_surface::detection::SurfaceDetection;
-use lattice::Lattice;
-use linear_pressure::LinearPressure;
-use motion::{StepLimit, move_particles};
-use operators::Operators;
-use pressure::PressureEquation;
 
 pub use settings::{FlowSettings, Method, Settings};
 

@@ -12,6 +12,12 @@ mod split_explicit;
 pub(crate) mod step_limit;
 pub(crate) mod updates;
 
+use eos::Tait;
+use rest::{hold_at_rest, release_all, release_drifted};
+use shifting::{even_out, settle};
+use step_limit::{StepLimit, rebuild_lists};
+use updates::{advance_density_and_drift, kick, kick_and_drift};
+
 use crate::domain::Domain;
 use crate::error::Breakdown;
 use crate::forces::PairTerms;
@@ -28,12 +34,6 @@ use crate::state_bytes::{StateError, expect_count};
 use crate::system::ParticleSystem;
 use crate::timers::Phase;
 use crate::walls::Walls;
-
-use eos::Tait;
-use rest::{hold_at_rest, release_all, release_drifted};
-use shifting::{even_out, settle};
-use step_limit::{StepLimit, rebuild_lists};
-use updates::{advance_density_and_drift, kick, kick_and_drift};
 
 pub use settings::Settings;
 

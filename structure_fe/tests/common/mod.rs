@@ -2,6 +2,7 @@
 #![allow(dead_code)] // each test binary uses its own part
 
 use std::collections::HashMap;
+
 use structure_fe::{Beam, Damping, Dynamics, Integration, Loads, Material, Section, State, Supports, natural_modes};
 
 /// Aluminium, about.

@@ -1,8 +1,7 @@
 //! The surface of a body that bends: boundary particles, loads on the nodes, contact (THEORY CO13–CO16).
 
-use structure_fe::State;
-
 use sph_core::{PlateMidline, WallForces, WallPoint, WallsMut};
+use structure_fe::State;
 
 use crate::bodies::bending::deformed_outline::DeformedOutline;
 use crate::bodies::bending::surface_layout::SurfaceLayout;

@@ -2,11 +2,10 @@
 
 use std::fmt::Display;
 
-use structure_fe::{Break, Dynamics, Envelope, State};
-
 use sph_core::state_bytes::{StateError, decode, encode};
 use sph_core::walls::Resultant;
 use sph_core::{InterfaceDynamics, PlateMidline, WallForces, WallPoint, WallsMut};
+use structure_fe::{Break, Dynamics, Envelope, State};
 
 use crate::bodies::bending::frame::{Frame, power};
 use crate::bodies::body::{Contact, Inspect, Linked, WettedBody};

@@ -1,9 +1,8 @@
 //! An owner of walls that bends, as coupling schemes see it: an acceleration for each degree of freedom (THEORY CO18).
 
-use structure_fe::{Dynamics, EffectiveInertia, State};
-
 use sph_core::walls::interface::{InterfaceDynamics, InterfaceLoad, InterfaceResidual, ParticleLoad};
 use sph_core::{WallForces, WallsMut};
+use structure_fe::{Dynamics, EffectiveInertia, State};
 
 use crate::bodies::bending::surface_map::{Attachment, Influence, SurfaceMap};
 use crate::bodies::error::BodyError;
@@ -173,9 +172,8 @@ impl InterfaceDynamics for FlexibleInterface {
 mod tests {
     use structure_fe::{Beam, Damping, Integration, Material, Section, Supports};
 
-    use crate::bodies::bending::beam_surface::BeamSurface;
-
     use super::*;
+    use crate::bodies::bending::beam_surface::BeamSurface;
 
     /// A panel on a free rigid body, bent and moving; particles on both, each with its force and what is behind it.
     fn panel_on_a_body() -> (FlexibleInterface, Vec<ParticleLoad>) {

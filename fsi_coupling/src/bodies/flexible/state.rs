@@ -1,7 +1,6 @@
 //! The state of a flexible body.
 
 use serde::{Deserialize, Serialize};
-
 use sph_core::state_bytes::{StateError, expect_count};
 use structure_fe::{Envelope, State};
 

@@ -2,15 +2,13 @@
 
 use std::fmt::Display;
 
-use structure_fe::modal::{ModalState, Step};
-
 use sph_core::state_bytes::{StateError, decode, encode};
 use sph_core::walls::Resultant;
 use sph_core::{InterfaceDynamics, PlateMidline, WallForces, WallPoint, WallsMut};
+use structure_fe::modal::{ModalState, Step};
 
 use crate::bodies::bending::bending_surface::NodalMotion;
-use crate::bodies::bending::frame::Frame;
-use crate::bodies::bending::frame::power;
+use crate::bodies::bending::frame::{Frame, power};
 use crate::bodies::bending::surface_map::Influence;
 use crate::bodies::body::{Contact, Inspect, Linked, WettedBody};
 use crate::bodies::error::BodyError;

@@ -1,7 +1,6 @@
 //! Everything that a step of a body with modes changes.
 
 use serde::{Deserialize, Serialize};
-
 use sph_core::state_bytes::{StateError, expect_count};
 use structure_fe::modal::ModalState;
 

@@ -1,8 +1,9 @@
 //! Two force rules of the thesis of 2010: the pressure of the first row, and least squares with viscous traction (THEORY GE8).
 
+use sph_core::Probe;
+
 use crate::coupling::force_rules::nodal_loads::Side;
 use crate::coupling::force_rules::placed_outline::{PlacedOutline, PointForce};
-use sph_core::Probe;
 
 impl PlacedOutline<'_> {
     /// FEX_2D2: −p n ℓ on the surface above the first row; ℓ reaches half way to the neighbours along the outline. The

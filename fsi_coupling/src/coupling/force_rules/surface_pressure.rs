@@ -1,8 +1,9 @@
 //! The force of the pressure on a body's outline, to compare with the reactions that move it (THEORY CO39).
 
+use sph_core::Probe;
+
 use crate::coupling::coupled::Coupled;
 use crate::coupling::force_rules::placed_outline::{PlacedOutline, PointForce};
-use sph_core::Probe;
 
 /// Wetness from which a place is under water [-].
 const WET: f64 = 0.5;

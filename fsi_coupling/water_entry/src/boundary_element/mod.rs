@@ -28,9 +28,6 @@ pub use rolled::{RolledEntry, RolledFlow, RolledInstant, RolledLoad};
 pub use solution::FlowLoad;
 pub use state::EntryFlow;
 
-use super::model::{EntryModel, OutOfRange};
-use super::section::Section;
-use super::similarity::SimilarityFlow;
 use elements::{Sizes, arc_length};
 use entry::{BEGIN, LATEST};
 use face::Face;
@@ -38,6 +35,10 @@ use lower_side::LowerSide;
 use solution::Solution;
 use spline::Spline;
 use surface::FreeSurface;
+
+use super::model::{EntryModel, OutOfRange};
+use super::section::Section;
+use super::similarity::SimilarityFlow;
 
 /// Largest growth of the draught per step.
 const DRAUGHT_GROWTH: f64 = 0.03;

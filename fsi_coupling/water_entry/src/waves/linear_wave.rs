@@ -88,8 +88,9 @@ impl LinearWave {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use proptest::prelude::*;
+
+    use super::*;
 
     proptest! {
         /// From shallow to deep water the relation holds to rounding, and period and length give each other back.

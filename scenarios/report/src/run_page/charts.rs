@@ -1,5 +1,9 @@
 //! The curves of the page: columns of the series by what they are, with references, theories and peaks.
 
+use run::compare::{self, ReferenceCurve};
+use run::observers::phaseless;
+use run::results::PASS_OVER_CLASS;
+use scene::{Compare, Scene};
 use water_entry::EntryModel;
 
 use super::folder::RunFolder;
@@ -9,10 +13,6 @@ use super::record::Quantity;
 use super::references::{self, in_full};
 use super::theories::{self, Theories};
 use crate::{Chart, Curve, Mark, Paint, Rgb};
-use run::compare::{self, ReferenceCurve};
-use run::observers::phaseless;
-use run::results::PASS_OVER_CLASS;
-use scene::{Compare, Scene};
 
 /// References of more points than this are drawn as lines.
 const MANY: usize = 60;

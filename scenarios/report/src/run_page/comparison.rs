@@ -1,8 +1,10 @@
 //! One page that compares runs: the same curves overlaid, the results side by side, the keys that differ.
 
-use settings::significant;
 use std::collections::BTreeSet;
 use std::path::PathBuf;
+
+use scene::schema;
+use settings::significant;
 
 use super::charts::{self, Figure};
 use super::flow::{Flow, picture};
@@ -16,7 +18,6 @@ use crate::html::page;
 use crate::lead::{COARSE, READ_CURVES};
 use crate::markup::escape;
 use crate::{Block, CATEGORIES, Chart, Curve, Mark, Paint, Table, row};
-use scene::schema;
 
 /// Width of the picture of a run [pixels].
 const PICTURE: u32 = 640;

@@ -1,11 +1,12 @@
 //! The frames of the flow that the page shows: chosen from the log, thinned to a budget.
 
+use run::log::{LogReader, LoggedFrame, Point};
+use scene::{Scene, Symmetry};
+
 use super::camera::{View, views, whole};
 use super::folder::RunFolder;
 use super::panels::pieces;
 use crate::{FlowFrame, FlowView};
-use run::log::{LogReader, LoggedFrame, Point};
-use scene::{Scene, Symmetry};
 
 /// Particles of all frames together, at most: they decide the size of the page.
 const RECORDS: usize = 900_000;

@@ -2,10 +2,11 @@
 
 use std::path::{Path, PathBuf};
 
-use super::record::Record;
-use super::table::Curves;
 use run::log::LogReader;
 use scene::{Scene, SceneError};
+
+use super::record::Record;
+use super::table::Curves;
 
 /// A run as its folder holds it.
 pub(crate) struct RunFolder {

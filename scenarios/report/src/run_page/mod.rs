@@ -26,9 +26,8 @@ use flow::Flow;
 pub use folder::FolderError;
 use folder::RunFolder;
 
-use crate::Block;
 use crate::markup::escape;
-use crate::{chart_svg::untitled_svg, html::page};
+use crate::{Block, chart_svg::untitled_svg, html::page};
 
 pub use comparison::compare;
 pub use figures::{FigureError, write_figures};

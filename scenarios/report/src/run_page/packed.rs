@@ -7,12 +7,12 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use flate2::Compression;
 use flate2::write::ZlibEncoder;
+use scene::Scene;
 use serde_json::json;
 
 use super::flow::{Flow, Moment};
 use crate::colour::{hex, viridis};
 use crate::ticks::{nice_step, tick_label, ticks};
-use scene::Scene;
 
 /// Largest coordinate on the grid; the next number stands for a particle that is not there.
 const GRID: f64 = 65_534.0;

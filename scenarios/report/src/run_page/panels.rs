@@ -27,8 +27,9 @@ pub(super) fn pieces(body: &Body, logged: &[LoggedBody]) -> Vec<[usize; 3]> {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use run::load;
+
+    use super::*;
 
     #[test]
     fn a_panel_is_the_side_of_its_body_that_it_stands_on() {

@@ -5,9 +5,8 @@
 
 use std::collections::BTreeMap;
 
-use serde::Deserialize;
-
 use run::results::{BandwidthBy, is_withheld};
+use serde::Deserialize;
 
 /// A summary, as far as the page shows it; names and units are those of [`Summary`](run::summary::Summary).
 #[derive(Clone, Debug, Default, Deserialize)]

@@ -1,11 +1,12 @@
 //! What a run is compared with: names of references, and the table of comparisons.
 
+use scene::reference::Table as ReferenceTable;
+use scene::{Compare, Norm};
+
 use super::folder::RunFolder;
 use super::quantity::{Column, Unit, column, digits, percent, with_unit};
 use super::record::Comparison;
 use crate::{Block, Table};
-use scene::reference::Table as ReferenceTable;
-use scene::{Compare, Norm};
 
 /// Kinds of references by words of their file names.
 const KINDS: [(&str, &str); 6] =

@@ -1,13 +1,12 @@
 //! The theories of a scene in its report: their curves, their range and error.
 
+use run::model_hierarchy::{Assessment, Theory, assess};
+use run::observers::columns;
+use scene::{QuantityOfInterest, Scene};
 use water_entry::EntryModel;
 
 use super::quantity::percent;
 use crate::{Block, Curve, Mark, Paint, Table};
-use run::model_hierarchy::{Assessment, Theory, assess};
-use run::observers::columns;
-use scene::QuantityOfInterest;
-use scene::Scene;
 
 /// Points of a pressure profile.
 const PROFILE: usize = 400;

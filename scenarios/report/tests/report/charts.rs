@@ -1,6 +1,7 @@
 use super::HOSTILE;
-use super::xml::assert_well_formed;
 use report::{Chart, Curve, Mark, TrendLine, chart_svg};
+
+use super::xml::assert_well_formed;
 
 pub fn curve(mark: Mark, x: Vec<f64>, y: Vec<f64>) -> Curve {
     Curve { label: format!("{mark:?}"), mark, x, y, ..Curve::default() }

@@ -1,9 +1,10 @@
 use super::HOSTILE;
+use base64::Engine;
+use report::{Bar, Block, Mark, Part, Report, Status, Table, chart_svg, flow_png, flow_svg, render};
+
 use super::charts::{chart, curve};
 use super::pictures::{particles, view};
 use super::xml::assert_well_formed;
-use base64::Engine;
-use report::{Bar, Block, Mark, Part, Report, Status, Table, chart_svg, flow_png, flow_svg, render};
 
 fn report(blocks: Vec<Block>) -> Report {
     Report {

@@ -2,10 +2,10 @@
 
 use fsi_coupling::embed::HostError;
 use fsi_coupling::{BodyError, CouplingError};
+use scene::SceneError;
 
 use crate::RunError;
 use crate::observers::ObserveError;
-use scene::SceneError;
 
 /// What kind of error it is: what a host does about it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

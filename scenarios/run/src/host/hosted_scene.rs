@@ -6,6 +6,7 @@ use fsi_coupling::embed::{
     ElementLimits, FluidElement, HostError, HostFrame, HostNodes, HostSurface, HostSurfaceSpec, Topology, shortest_step,
 };
 use fsi_coupling::{BodyError, RigidMotion};
+use scene::{Body, Loaded, Scene, Symmetry, memory_estimate, particle_estimate, rows, step_at_start};
 
 use super::error::HostedError;
 use super::hosted_run::HostedRun;
@@ -15,7 +16,6 @@ use crate::build::{build_around, frame_at_start, outline_at_start};
 use crate::checkpoint::fingerprint;
 use crate::memory::available_memory;
 use crate::options::Page;
-use scene::{Body, Loaded, Scene, Symmetry, memory_estimate, particle_estimate, rows, step_at_start};
 
 /// Steps of the water above which a step of the host is refused [-].
 const MOST_SUBSTEPS: f64 = 100_000.0;

@@ -4,9 +4,9 @@ use std::str::FromStr;
 
 use fsi_coupling::embed::{HostNodes, Topology};
 use fsi_coupling::{RigidMotion, Shape};
+use scene::Body;
 
 use super::error::HostedError;
-use scene::Body;
 
 /// What of a scene's body the host moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

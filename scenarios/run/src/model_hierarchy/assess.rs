@@ -2,12 +2,11 @@
 
 use std::time::Instant;
 
+use scene::{QuantityOfInterest, Scene};
 use serde::Serialize;
 use water_entry::{EntryModel, OutOfRange};
 
 use super::{Measured, Theory, measured, rolled};
-use scene::QuantityOfInterest;
-use scene::Scene;
 
 /// A theory, for a scene.
 #[derive(Clone, Debug, Serialize)]

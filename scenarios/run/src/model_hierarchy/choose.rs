@@ -1,11 +1,10 @@
 //! `model = "auto"`: the cheapest model whose measured error is within the tolerance.
 
+use scene::{Choice, QuantityOfInterest, Scene, core_seconds};
 use settings::significant;
 
 use super::{Assessment, Measured, assess};
 use crate::charted::charted_error;
-use scene::QuantityOfInterest;
-use scene::{Choice, Scene, core_seconds};
 
 /// Path in `summary.json` of the charted number for a quantity of interest, with `BODY` for the body's name.
 pub fn charted_number(want: QuantityOfInterest) -> Option<&'static str> {

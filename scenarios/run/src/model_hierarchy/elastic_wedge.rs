@@ -1,9 +1,8 @@
 //! A wedge with elastic faces, by Wagner's load on a modal beam (THEORY EN12, EN13).
 
 use fsi_coupling::{EndSpring, PanelEnd};
-use water_entry::{ElasticWedge, EntryModel, Held, Instant, OutOfRange, WedgeState};
-
 use scene::{Body, Motion, Panel, Scene, Shape, Symmetry};
+use water_entry::{ElasticWedge, EntryModel, Held, Instant, OutOfRange, WedgeState};
 
 /// Modes, and steps from touch to chine.
 const MODES: usize = 8;

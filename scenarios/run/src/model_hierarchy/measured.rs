@@ -1,12 +1,12 @@
 //! Error of a theory in the measured case that is nearest to a scene.
 
+use scene::{Body, Choice, Loader, Models, Motion, QuantityOfInterest, Scene};
 use settings::significant;
 use water_entry::{BOUNDARY_ELEMENT_DEADRISES, EntryModel, OutOfRange, Section, SimilarityFlow};
 
 use super::{Theory, rolled};
 use crate::compare;
 use crate::observers::{Series, columns};
-use scene::{Body, Choice, Loader, Models, Motion, QuantityOfInterest, Scene};
 
 /// An error that was measured.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]

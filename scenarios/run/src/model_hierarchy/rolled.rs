@@ -1,10 +1,9 @@
 //! A rolled wedge by boundary elements (THEORY EN34).
 
+use scene::{Body, Scene, Shape};
 use water_entry::{
     AsymmetricFlow, EntryModel, Instant, OutOfRange, RolledEntry, RolledFlow, RolledInstant, SectionMotion,
 };
-
-use scene::{Body, Scene, Shape};
 
 /// Share of a face that the check of a scene wets.
 const CHECKED: f64 = 0.1;

@@ -1,6 +1,8 @@
 //! A scene solved by an entry theory.
 
 use fsi_coupling::Motion as BodyMotion;
+use fsi_coupling::geometry::polygon;
+use scene::{Body, Gauge, GaugeFrame, Motion, Observe, Scene, Shape};
 use settings::significant;
 use water_entry::{
     Entry, EntryModel, FlowEntry, FlowHistory, Instant, Loads, OutOfRange, RolledInstant, Section, SectionMotion,
@@ -9,8 +11,6 @@ use water_entry::{
 use super::elastic_wedge::Faces;
 use super::rolled;
 use crate::observers::body_values;
-use fsi_coupling::geometry::polygon;
-use scene::{Body, Gauge, GaugeFrame, Motion, Observe, Scene, Shape};
 
 /// Width of the window that means are taken over, the last fifth of the run.
 const LATE: f64 = 0.8;

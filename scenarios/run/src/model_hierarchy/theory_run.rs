@@ -2,6 +2,8 @@
 
 use std::time::Instant as Clock;
 
+use scene::reference::WedgeSimilarity;
+use scene::{Body, Gauge, Motion, QuantityOfInterest, Scene};
 use water_entry::Instant;
 
 use super::{Measured, Theory, measured};
@@ -12,9 +14,6 @@ use crate::observers::{ObserveError, Series, SimilarityResult, body_values, crea
 use crate::results::{Extreme, Quantity, Results, RunningIntegral, STANDARD_GRAVITY, Verdict};
 use crate::summary::{Log, Peak, Summary};
 use crate::{Outcome, RunError, RunOptions};
-use scene::QuantityOfInterest;
-use scene::reference::WedgeSimilarity;
-use scene::{Body, Gauge, Motion, Scene};
 
 /// Least pressure in the rows beside a peak that they follow, over it [-]: it is then within about 1 % of the largest between rows.
 const BESIDE_PEAK: f64 = 0.95;

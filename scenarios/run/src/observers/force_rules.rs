@@ -1,11 +1,11 @@
 //! Four rules for the force on the body, compared over a run (THEORY GE8): the check ∫ p dA = the body's force.
 
 use fsi_coupling::coupling::force_rules::{RULES, force_rules};
+use scene::Scene;
 use serde::Serialize;
 use sph_core::state_bytes::{StateError, decode, encode, expect_count};
 
 use super::{Frame, ObserveError, Observer, mean_and_deviation};
-use scene::Scene;
 
 /// A rule's numbers over a run.
 #[derive(Clone, Debug, Serialize)]

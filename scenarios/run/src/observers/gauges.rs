@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use fsi_coupling::geometry::vector::rotate;
 use fsi_coupling::{Coupled, Motion};
+use scene::{GaugeFrame, Scene, Symmetry};
 use sph_core::Probe;
 use sph_core::state_bytes::{StateError, decode, encode, expect_count};
 
@@ -11,7 +12,6 @@ use super::gauge_record::{GaugeRecord, GaugeResult};
 use super::low_pass::LowPass;
 use super::sensing::sensing;
 use super::source::Source;
-use scene::{GaugeFrame, Scene, Symmetry};
 
 pub(super) const SOURCE: Source = Source { names, reader: |_| Box::new(|frame| frame.gauges.to_vec()) };
 

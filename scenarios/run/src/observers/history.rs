@@ -1,11 +1,11 @@
 //! Totals of the fluid over the run: energies, heights, penetration, largest speed.
 
 use fsi_coupling::Breach;
+use scene::{Scene, presses_on_walls};
 use serde::{Deserialize, Serialize};
 
 use super::surface_impulse::SurfaceImpulse;
 use super::{Frame, ObserveError, Observer};
-use scene::{Scene, presses_on_walls};
 
 /// The state of rest, for scenes whose water should come, or stay, to rest.
 #[derive(Clone, Copy, Debug, Default, Serialize)]

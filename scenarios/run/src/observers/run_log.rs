@@ -3,11 +3,11 @@
 use std::path::Path;
 
 use fsi_coupling::Coupled;
+use scene::Scene;
 
 use super::run_view::RunView;
 use super::{Frame, ObserveError, Observer};
 use crate::log::{BackgroundLog, Budget, Level, LogError, LogMetadata, Logged, StoredLog, Viewers};
-use scene::Scene;
 
 /// Writes the log.
 pub struct LogObserver {

@@ -1,13 +1,13 @@
 //! What the log and viewers are shown of a run: named numbers, and pictures of particles and bodies.
 
 use fsi_coupling::Coupled;
+use scene::{MODES, Scene};
 use sph_core::parallel;
 use sph_core::particles::totals::Totals;
 
 use super::Frame;
 use super::columns::{body_values, modal_values, panel_values};
 use crate::log::{self, BodyView, LogError, Point};
-use scene::{MODES, Scene};
 
 /// Start of the channels of the loads on panels' nodes, before the panel's name.
 pub const LOADS: &str = "loads";

@@ -114,8 +114,9 @@ fn walk(corners: &[[f64; 2]], k: usize, along: f64, distance: f64, onwards: bool
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use scene::Shape;
+
+    use super::*;
 
     const SQUARE: [[f64; 2]; 4] = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
 

@@ -4,10 +4,11 @@ use std::fs::File;
 use std::io::{BufWriter, Write};
 use std::path::Path;
 
+use scene::Scene;
+
 use super::columns::{SOURCES, VOLUME, Water, columns};
 use super::source::Reader;
 use super::{Frame, ObserveError, Observer};
-use scene::Scene;
 
 /// Create the file with its heading.
 fn create(path: &Path, columns: &[String]) -> Result<(String, BufWriter<File>), ObserveError> {

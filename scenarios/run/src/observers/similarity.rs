@@ -4,15 +4,15 @@
 //! k = Vt/Δx. Numbers are taken over the last fifth of the run.
 
 use fsi_coupling::Coupled;
+use scene::reference::WedgeSimilarity;
+use scene::{Scene, Shape};
 use serde::{Deserialize, Serialize};
 use sph_core::Probe;
 use sph_core::state_bytes::{StateError, decode, encode, expect_count};
+use water_entry::keel::{KeelLaw, KeelPressure, LARGEST_SHARE};
 
 use super::face_profile::{length_near_peak, noise, peak_place};
 use super::{Frame, ObserveError, Observer, mean_and_deviation};
-use scene::reference::WedgeSimilarity;
-use scene::{Scene, Shape};
-use water_entry::keel::{KeelLaw, KeelPressure, LARGEST_SHARE};
 
 /// Points along the face, in similarity coordinates.
 const POINTS: usize = 400;

@@ -1,7 +1,8 @@
 //! A source of columns of `series.csv`.
 
-use crate::observers::Frame;
 use scene::Scene;
+
+use crate::observers::Frame;
 
 /// Reads the values of a source's columns, in their order.
 pub(super) type Reader = Box<dyn FnMut(&Frame<'_>) -> Vec<f64> + Send>;

@@ -1,13 +1,13 @@
 //! Heights, speed and reflection of regular waves, from the levels of a run with a wave maker (THEORY GE26).
 
-use settings::significant;
 use std::f64::consts::{PI, TAU};
 
+use scene::{Scene, full_waves_by, waves_end_early};
 use serde::Serialize;
+use settings::significant;
 use water_entry::waves::separation::{Amplitude, separate};
 
 use super::series::Series;
-use scene::{Scene, full_waves_by, waves_end_early};
 
 /// Periods at the end of the run over which harmonics are taken.
 const PERIODS: f64 = 4.0;

@@ -1,10 +1,11 @@
 //! What may be said of peaks under flat and round bottoms, which meet the water all at once, or nearly so.
 
+use scene::{Entry, FLAT_CONTACT, LEAST_GAP, LEAST_HALF_BREADTH, START_GAP};
+use settings::significant;
+
 use super::judge::{Curves, Judge};
 use super::running_integral::Extreme;
 use super::{Finding, Verdict};
-use scene::{Entry, FLAT_CONTACT, LEAST_GAP, LEAST_HALF_BREADTH, START_GAP};
-use settings::significant;
 
 /// A round bottom's peak needs an averaging time of so many R V/c₀² (GE20) [-].
 const ACOUSTIC_TIMES: f64 = 10.0;

@@ -1,9 +1,10 @@
 //! Judges the results: over which time they are averaged, how wide their bands are, and what may be said of them (THEORY GE18–GE20).
 
-use settings::significant;
 use std::collections::BTreeMap;
 
+use scene::{Bottom, Entry, LEAST_DRAUGHT, Scene, Unusual, limit_of_forces, resonant_panels, share_of_walls};
 use serde::{Deserialize, Serialize};
+use settings::significant;
 
 use super::air_pulse::air_pulse;
 use super::averaging::{Averaging, CUTOFF};
@@ -13,7 +14,6 @@ use super::panel::{StressPeak, panel_results};
 use super::running_integral::{Extreme, RunningIntegral};
 use super::tension::with_tension;
 use super::{Finding, Quantity, Results, STANDARD_GRAVITY, Verdict, WIDE};
-use scene::{Bottom, Entry, LEAST_DRAUGHT, Scene, Unusual, limit_of_forces, resonant_panels, share_of_walls};
 
 /// Bands of a peak pressure by the spacings across the length with 90 % of the peak: least length, share of the pressure [-].
 const PRESSURE_BANDS: [(f64, f64); 2] = [(17.0, 0.04), (5.0, 0.25)];

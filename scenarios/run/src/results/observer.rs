@@ -1,6 +1,7 @@
 //! Gathers the curves of the results in every step.
 
 use fsi_coupling::{Body, Coupled, Motion, TouchRecord};
+use scene::Scene;
 use settings::significant;
 use sph_core::state_bytes::{StateError, decode, encode, expect_count};
 
@@ -9,7 +10,6 @@ use super::judge::{Curves, Judge};
 use super::panel::StressPeak;
 use super::running_integral::RunningIntegral;
 use super::{Results, Verdict};
-use scene::Scene;
 
 /// Gathers the curves of the results in every step.
 pub struct ResultsObserver {

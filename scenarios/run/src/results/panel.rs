@@ -1,11 +1,11 @@
 //! Judges the results of panels (THEORY GE19).
 
 use fsi_coupling::{ModesState, PanelState};
+use scene::MODES;
 use settings::significant;
 use structure_fe::Range;
 
 use super::{PanelResults, Quantity, Verdict, WIDE};
-use scene::MODES;
 
 /// Band of a stress over that of the force, as shares; fitted on elastic drops against half the spacing [-].
 const STRESS_BAND: f64 = 1.3;

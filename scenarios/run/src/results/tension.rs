@@ -1,7 +1,8 @@
 //! What tension of the water takes off a force (THEORY GE24).
 
-use super::{Finding, Verdict};
 use settings::significant;
+
+use super::{Finding, Verdict};
 
 /// What tension takes off counts so often in the band [-].
 const TENSION_BAND: f64 = 2.5;

@@ -1,12 +1,11 @@
 //! The log on a thread of its own.
 
-use std::fs;
 use std::io::Read;
 use std::path::Path;
 use std::sync::Barrier;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::thread;
 use std::time::{Duration, Instant};
+use std::{fs, thread};
 
 use run::log::{BackgroundLog, Budget, Frame, Level, LogError, Logged};
 use temp_dir::TempDir;

@@ -1,8 +1,9 @@
 //! From a beam model to its text, in fields of 16 columns.
 
+use Value::{Blank, Real, Whole};
+
 use super::cards::{Value, comment, written};
 use super::model::{Bar, BeamModel, Constraint, Grid, Isotropic, Orientation, Property};
-use Value::{Blank, Real, Whole};
 
 impl BeamModel {
     /// The model as a bulk data file.

@@ -3,11 +3,11 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use run::folder::refuse_occupied;
 
 use super::write_all;
 use crate::cli::shared::{DONE, Output, SceneArgs, Stop, load, say};
 use crate::experiments::convergence::{self, Plan, Refinement, page, study, text};
-use run::folder::refuse_occupied;
 
 #[derive(Args)]
 pub struct StudyArgs {

@@ -7,10 +7,11 @@ use std::sync::{Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
+use run::memory::available_memory;
+
 use crate::cli::shared::{DONE, Stop};
 use crate::sweep::pool::STOP;
 use crate::sweep::{SweepFolder, run_point};
-use run::memory::available_memory;
 
 /// A second Ctrl-C or SIGTERM after this time ends the process at once.
 pub(super) const IMPATIENT: Duration = Duration::from_secs(1);

@@ -1,8 +1,7 @@
 //! Extrapolation to zero spacing and infinite sound speed, with its order and its uncertainty (THEORY GE16).
 
-use serde::Serialize;
-
 use run::power_law::least_squares;
+use serde::Serialize;
 
 /// Orders that a convergent sequence may show [-].
 const ORDERS: [f64; 2] = [0.5, 3.0];

@@ -9,11 +9,11 @@ mod refinement;
 
 use std::f64::consts::SQRT_2;
 
+use scene::{Scene, compressibility_error};
 use serde::Serialize;
 
 use super::ExperimentError;
 use super::runs::{run_to_end, scene_with};
-use scene::{Scene, compressibility_error};
 
 pub use fit::{Fit, Sample, fit};
 pub use page::{page, text};

@@ -1,7 +1,8 @@
 //! A study as a page, `study.html`, and as text.
 
-use super::{Point, Study};
 use report::{Block, Chart, Column, Curve, Mark, Report, Status, Table, render};
+
+use super::{Point, Study};
 
 /// Points of a fitted curve.
 const POINTS: usize = 60;

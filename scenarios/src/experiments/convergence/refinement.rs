@@ -1,12 +1,13 @@
 //! `splashdown run --converge`: a scene at 4, 2 and 1 times its spacing, and error bars of its main numbers.
 
-use super::fit::{Sample, fit};
-use crate::experiments::ExperimentError;
-use crate::experiments::runs::{RunRecord, run_to_end, scene_with};
 use run::error_bar::{ErrorBar, ErrorBars};
 use run::numbers::Numbers;
 use run::summary::Summary;
 use scene::{Motion, Scene, known_compressibility_error};
+
+use super::fit::{Sample, fit};
+use crate::experiments::ExperimentError;
+use crate::experiments::runs::{RunRecord, run_to_end, scene_with};
 
 /// Spacings of the coarser runs over the scene's own. The ratio is 2: at √2 the scatter between runs changes the order by 0.3.
 const COARSER: [f64; 2] = [4.0, 2.0];

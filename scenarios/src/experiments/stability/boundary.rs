@@ -1,11 +1,11 @@
 //! Theoretical boundaries of stability: each is a number of a scene that is 1 at the limit.
 
+use fsi_coupling::geometry::polygon;
+use scene::{CouplingScheme, ExchangeRatio, Kernel, Motion, Scene, panel_exchanges};
 use serde::{Deserialize, Serialize};
 
 use super::acoustics::{Medium, largest_courant};
 use super::lattice::{gain_of_pairs, kernel_sum, neighbours};
-use fsi_coupling::geometry::polygon;
-use scene::{CouplingScheme, ExchangeRatio, Kernel, Motion, Scene, panel_exchanges};
 
 /// By so many spacings a cylinder seems smaller to a shove of one step (CO25) [-].
 const SHORT_RADIUS: f64 = 0.8;
@@ -100,8 +100,9 @@ fn surface_rows(scene: &Scene) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use run::load;
+
+    use super::*;
 
     fn ratio(theory: Boundary, name: &str, sets: &[&str]) -> f64 {
         let sets: Vec<String> = sets.iter().map(|set| set.to_string()).collect();

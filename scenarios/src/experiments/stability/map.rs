@@ -1,11 +1,11 @@
 //! A map: a scene, two axes, and bounds.
 
 use include_dir::{Dir, include_dir};
+use run::numbers::Numbers;
 use serde::{Deserialize, Serialize};
 
 use super::boundary::Boundary;
 use crate::experiments::catalogue::{Case, Catalogue};
-use run::numbers::Numbers;
 
 static FOLDER: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/cases/maps");
 

@@ -1,7 +1,8 @@
 //! A map as a page and as a table.
 
-use super::{Bound, Map, Measured, Point, Verdict, svg};
 use report::{Block, Column, Report, Status, Table, known, render};
+
+use super::{Bound, Map, Measured, Point, Verdict, svg};
 
 /// The map, what its verdicts mean, and every point with its reason and its command.
 pub fn page(measured: &Measured) -> String {

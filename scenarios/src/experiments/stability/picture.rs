@@ -1,7 +1,8 @@
 //! A map as SVG.
 
-use super::{Measured, Point, Verdict};
 use report::escape;
+
+use super::{Measured, Point, Verdict};
 
 const LEFT: f64 = 170.0;
 const TOP: f64 = 14.0;

@@ -2,6 +2,9 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use run::summary::Summary;
+use run::{self, RunError, RunOptions};
+use scene::{Scene, SceneError};
 use sph_core::parallel::on_threads;
 use tracing::subscriber::{NoSubscriber, with_default};
 
@@ -9,9 +12,6 @@ use super::map::{Bound, Map};
 use super::measured::{Measured, Point, Verdict};
 use crate::experiments::ExperimentError;
 use crate::experiments::runs::{RunRecord, side_by_side};
-use run::summary::Summary;
-use run::{self, RunError, RunOptions};
-use scene::{Scene, SceneError};
 
 /// Run every point of a map, as many side by side as the current pool has threads; `tell` is called after each with the number
 /// of finished points, the number of all, and the point.

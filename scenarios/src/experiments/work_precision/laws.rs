@@ -1,12 +1,13 @@
 //! Laws of a chart that apply to other runs (THEORY GE17).
 
-use super::case::{Family, Quantity, Reading};
-use super::measured::Measured;
-use crate::experiments::runs::scene_with;
 use run::charted::{ErrorLaw, ShareOf, WedgeEntry};
 use run::observers::SIMILARITY_FROM;
 use run::power_law::PowerLaw;
 use scene::{Norm, Scene, SceneError};
+
+use super::case::{Family, Quantity, Reading};
+use super::measured::Measured;
+use crate::experiments::runs::scene_with;
 
 /// The laws of a chart that apply to other runs: one for each family over spacings and each number.
 ///

@@ -3,11 +3,12 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use scene::Scene;
+
 use super::case::{CHARTS, Case};
 use super::measured::{Measured, Outcome, Point, Run};
 use crate::experiments::ExperimentError;
 use crate::experiments::runs::{run_to_end, scene_with};
-use scene::Scene;
 
 /// Run every point of a case, except those that `before` holds.
 ///

@@ -2,11 +2,11 @@
 
 use std::collections::BTreeMap;
 
+use run::power_law::PowerLaw;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use super::case::{Case, Family, Quantity, Reading, as_set};
-use run::power_law::PowerLaw;
 
 /// A run, done or failed.
 #[derive(Clone, Debug, Deserialize, Serialize)]

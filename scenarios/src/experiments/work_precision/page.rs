@@ -1,10 +1,11 @@
 //! A chart as SVG, as a page and as tables.
 
+use report::{Block, Chart, Curve, Mark, Report, Status, Table, TrendLine, chart_svg, render};
+
 use super::case::{Quantity, Reading, as_set};
 use super::measured::{Measured, Outcome, Seen, Trend};
 use super::peers::{Peer, PeerPoint, peers};
 use crate::experiments::ExperimentError;
-use report::{Block, Chart, Curve, Mark, Report, Status, Table, TrendLine, chart_svg, render};
 
 const HEAD: [&str; 9] =
     ["family", "at", "value", "bias [%]", "scatter [%]", "error [%]", "particles", "steps", "core-s"];

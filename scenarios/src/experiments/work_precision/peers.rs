@@ -3,11 +3,11 @@
 use std::collections::BTreeMap;
 
 use include_dir::{Dir, include_dir};
+use scene::embedded;
 use serde::Deserialize;
 
 use super::case::Reading;
 use crate::experiments::ExperimentError;
-use scene::embedded;
 
 static FILES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/cases/peers");
 

@@ -1,10 +1,11 @@
 //! Systems to try the solver on, and a direct solver.
 
-use super::matrix::{Matrix, MatrixRows, RankOne};
-use crate::SplitMix64;
 use faer::linalg::solvers::Solve;
 use faer::sparse::{SparseColMat, Triplet};
 use faer::{Col, Side};
+
+use super::matrix::{Matrix, MatrixRows, RankOne};
+use crate::SplitMix64;
 
 /// A system and the places of its rows.
 pub(crate) struct System {

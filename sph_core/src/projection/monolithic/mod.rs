@@ -4,19 +4,18 @@
 mod subspace;
 
 use serde::{Deserialize, Serialize};
+use subspace::Subspace;
 
 use crate::domain::Domain;
 use crate::interactions::geometry::pair_geometry;
 use crate::interactions::packed::Packed;
 use crate::kernel::{Shape, TargetSum};
 use crate::neighbours::Neighbours;
-use crate::walls::interface::{InterfaceResidual, WallInterface};
-use crate::walls::{WallForces, Walls};
-
 use crate::projection::linear_pressure::LinearPressure;
 use crate::projection::linear_solver::cg::{NotConverged, PressureSolver, Stop};
 use crate::projection::linear_solver::cluster_matrix::ClusterMatrix;
-use subspace::Subspace;
+use crate::walls::interface::{InterfaceResidual, WallInterface};
+use crate::walls::{WallForces, Walls};
 
 /// Up to so many unknowns each gets its own response; more are searched along residuals (CO22).
 const FEW: usize = 6;

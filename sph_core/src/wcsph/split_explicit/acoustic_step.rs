@@ -1,13 +1,12 @@
 //! The passes of an acoustic step over the particles (THEORY WC22): each equation for a chunk of targets after the other, so that
 //! a chunk's numbers are read once per pass.
 
+use super::held_pairs::{HeldPairs, Row};
+use super::held_walls::HeldWalls;
 use crate::parallel::{self, CHUNK};
 use crate::particles::Particles;
 use crate::simd::{self, SimdReal, Task};
 use crate::system::ParticleSystem;
-
-use super::held_pairs::{HeldPairs, Row};
-use super::held_walls::HeldWalls;
 
 /// v ← v + Δt a, and what neighbours show.
 pub(super) fn kick(system: &mut ParticleSystem, rows: &mut [Row], dt: f64) {

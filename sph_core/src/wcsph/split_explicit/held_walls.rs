@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use serde::{Deserialize, Serialize};
 
+use super::held_pairs::Row;
 use crate::forces::interface_dynamics::PressureSensitivity;
 use crate::interactions::geometry::{MeanScale, PairConstants, PairGeometry, ScaleRule};
 use crate::interactions::packed_particle::PackedParticle;
@@ -12,8 +13,6 @@ use crate::memory::of_vector;
 use crate::parallel;
 use crate::system::ParticleSystem;
 use crate::walls::Walls;
-
-use super::held_pairs::Row;
 
 /// Least Σ V W [-] that is a neighbourhood to extrapolate from (WA3).
 const TOUCHED: f64 = 1e-9;

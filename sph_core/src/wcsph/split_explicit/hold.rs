@@ -2,6 +2,8 @@
 
 use std::marker::PhantomData;
 
+use super::entry_index::EntryIndex;
+use super::held_pairs::{BLOCK, HeldChunk, HeldPairs, OfBlock, Own, by_distance, lanes, of_targets};
 use crate::interactions::dissipation::{Dissipation, PairDissipation, WithPairs, with_pairs};
 use crate::interactions::geometry::{MeanScale, PairConstants, PairGeometry, ScaleRule};
 use crate::interactions::packed_particle::PackedParticle;
@@ -9,9 +11,6 @@ use crate::kernel::{self, Kernel, Shape};
 use crate::neighbours::lists::Lists;
 use crate::parallel::{self, CHUNK};
 use crate::simd::{LANES, SimdReal, Task};
-
-use super::entry_index::EntryIndex;
-use super::held_pairs::{BLOCK, HeldChunk, HeldPairs, OfBlock, Own, by_distance, lanes, of_targets};
 
 /// Take the geometry of the packed particles.
 pub(super) fn hold(

@@ -16,8 +16,16 @@ mod shift_gains;
 
 use std::sync::Arc;
 
+use acoustic_step::{Accelerations, Densities};
+use advective::AdvectiveStep;
+use held_pairs::{HeldPairs, Row};
+use held_walls::HeldWalls;
+use hold::hold;
 use serde::{Deserialize, Serialize};
+use shift_gains::shift_gains;
 
+use super::shifting::{Passed, even_out_advective};
+use super::{Settings, Wcsph};
 use crate::domain::Domain;
 use crate::error::Breakdown;
 use crate::forces::interface_dynamics::solve_owners;
@@ -33,16 +41,6 @@ use crate::state_bytes::{StateError, decode, encode};
 use crate::system::ParticleSystem;
 use crate::timers::Phase;
 use crate::walls::Walls;
-
-use super::shifting::{Passed, even_out_advective};
-use super::{Settings, Wcsph};
-
-use acoustic_step::{Accelerations, Densities};
-use advective::AdvectiveStep;
-use held_pairs::{HeldPairs, Row};
-use held_walls::HeldWalls;
-use hold::hold;
-use shift_gains::shift_gains;
 
 /// Advective steps that neighbour lists are made to last.
 const LISTS_LAST: f64 = 1.2;

@@ -1,10 +1,10 @@
 //! Columns of a body and of its panels.
 
 use fsi_coupling::{ModesState, Motion, PanelState};
+use scene::Scene;
 
 use crate::observers::Frame;
 use crate::observers::source::Source;
-use scene::Scene;
 
 /// Reads a column from a body's motion.
 type Read = fn(&Motion) -> f64;

@@ -1,7 +1,8 @@
 //! Energies of the fluid over time (THEORY CO28).
 
-use crate::observers::source::{Reader, Source};
 use scene::Scene;
+
+use crate::observers::source::{Reader, Source};
 
 pub(in crate::observers) const SOURCE: Source = Source { names, reader };
 

@@ -1,9 +1,9 @@
 //! The length of the water along the floor (THEORY GE12).
 
+use scene::Scene;
 use sph_core::Fluid;
 
 use crate::observers::source::{Reader, Source};
-use scene::Scene;
 
 pub(super) const SOURCE: Source = Source { names, reader };
 

@@ -1,7 +1,8 @@
 //! Columns of joints (THEORY CO38).
 
-use crate::observers::source::{Reader, Source};
 use scene::Scene;
+
+use crate::observers::source::{Reader, Source};
 
 pub(in crate::observers) const SOURCE: Source = Source { names, reader };
 

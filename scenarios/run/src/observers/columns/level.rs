@@ -1,9 +1,9 @@
 //! The height of the water at a place (THEORY GE10).
 
+use scene::{Scene, Symmetry};
 use sph_core::Fluid;
 
 use crate::observers::source::{Reader, Source};
-use scene::{Scene, Symmetry};
 
 /// Scale of the weight over the spacing below the place: particles of this spacing are counted exactly.
 const SCALE: f64 = 2.0;

@@ -7,9 +7,10 @@ mod joints;
 mod level;
 mod volume;
 
+use scene::Scene;
+
 use super::gauges;
 use super::source::Source;
-use scene::Scene;
 
 pub use body::body_values;
 pub(super) use body::{modal_values, panel_values};

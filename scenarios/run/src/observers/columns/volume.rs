@@ -1,10 +1,10 @@
 //! The volume of the water by the place of its surface (THEORY GE11).
 
+use scene::{Scene, Symmetry};
 use serde::Serialize;
 use sph_core::{Fluid, Probe};
 
 use crate::observers::source::{Reader, Source};
-use scene::{Scene, Symmetry};
 
 /// The column.
 pub(in crate::observers) const VOLUME: &str = "volume_m2";
