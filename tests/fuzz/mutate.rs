@@ -1,25 +1,18 @@
 //! Inputs at random: texts with values, lines and letters changed.
 
-/// A generator of numbers (splitmix64): the same seed gives the same inputs.
-pub struct Random(u64);
+use sph_core::SplitMix64;
+
+/// A generator of numbers: the same seed gives the same inputs.
+pub struct Random(SplitMix64);
 
 impl Random {
     pub fn new(seed: u64) -> Random {
-        let mut far_apart = Random(seed);
-        far_apart.0 = far_apart.next();
-        far_apart
-    }
-
-    pub fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        mixed ^ (mixed >> 31)
+        Random(SplitMix64(SplitMix64(seed).bits())) // neighbouring seeds far apart
     }
 
     /// A number below `count`, which is not 0.
     pub fn below(&mut self, count: usize) -> usize {
-        (self.next() % count as u64) as usize
+        (self.0.bits() % count as u64) as usize
     }
 
     /// True in one of `count` cases.
@@ -28,7 +21,7 @@ impl Random {
     }
 
     pub fn unit(&mut self) -> f64 {
-        (self.next() >> 11) as f64 / (1u64 << 53) as f64
+        self.0.unit()
     }
 
     pub fn pick<'a, T>(&mut self, items: &'a [T]) -> &'a T {

@@ -12,6 +12,7 @@ use fsi_coupling::geometry::polygon;
 use fsi_coupling::{Coupled, CouplingError};
 use run::build;
 use scene::Scene;
+use sph_core::SplitMix64;
 
 use crate::statistics::Noise;
 
@@ -61,11 +62,7 @@ struct Draw(Noise);
 
 impl Draw {
     fn of(seed: u64) -> Draw {
-        // neighbouring seeds far apart: the finalizer of SplitMix64 (Steele, Lea & Flood 2014)
-        let mut mixed = seed.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        Draw(Noise::new(mixed ^ (mixed >> 31)))
+        Draw(Noise::new(SplitMix64(seed).bits())) // neighbouring seeds far apart
     }
 
     fn between(&mut self, from: f64, to: f64) -> f64 {

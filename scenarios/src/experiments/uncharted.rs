@@ -4,6 +4,7 @@
 use report::Table;
 use run::compare::similarity_of;
 use scene::{SceneError, jet_reach};
+use sph_core::SplitMix64;
 
 use super::coverage::Line;
 use super::runs::{run_to_end, scene_with};
@@ -18,27 +19,16 @@ const ROOM: f64 = 1.1;
 /// Solvers, in turn.
 const SOLVERS: [&str; 2] = ["weakly_compressible", "incompressible"];
 
-/// Numbers from 0 to 1 in a fixed order for a seed (SplitMix64; Steele, Lea & Flood 2014).
-struct Drawn(u64);
-
-impl Drawn {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        ((mixed ^ (mixed >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    /// Evenly in the logarithm.
-    fn between(&mut self, [low, high]: [f64; 2]) -> f64 {
-        low * (high / low).powf(self.next())
-    }
+/// A number drawn evenly in the logarithm.
+fn between(random: &mut SplitMix64, [low, high]: [f64; 2]) -> f64 {
+    low * (high / low).powf(random.unit())
 }
 
 /// Overrides of `wedge_constant` for case `k` of a seed: a draught of 1 m at the end, and a jet that stays on the face.
 pub fn draw(seed: u64, k: usize) -> Vec<String> {
-    let mut drawn = Drawn(seed.wrapping_mul(1_000_003).wrapping_add(k as u64));
-    let (deadrise, speed, spacings) = (drawn.between(DEADRISE), drawn.between(SPEED), drawn.between(SPACINGS));
+    let mut random = SplitMix64(seed.wrapping_mul(1_000_003).wrapping_add(k as u64));
+    let (deadrise, speed, spacings) =
+        (between(&mut random, DEADRISE), between(&mut random, SPEED), between(&mut random, SPACINGS));
     let breadth = 2.0 * ROOM * jet_reach(deadrise).unwrap_or(1.0);
     vec![
         format!("solver={}", SOLVERS[k % SOLVERS.len()]),

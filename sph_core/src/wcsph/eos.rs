@@ -2,7 +2,10 @@
 
 use serde::{Deserialize, Serialize};
 
-/// Tait's law p = B[(ρ/ρ₀)^γ − 1], B = ρ₀c₀²/γ (Cole 1948; γ = 7 for water, γ = 1 is the linear law).
+/// Exponent γ of water (Cole 1948) [-].
+pub const WATER_EXPONENT: f64 = 7.0;
+
+/// Tait's law p = B[(ρ/ρ₀)^γ − 1], B = ρ₀c₀²/γ (Cole 1948; γ = 1 is the linear law).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Tait {
     /// Reference density ρ₀ [kg/m³].
@@ -19,7 +22,7 @@ impl Tait {
     pub fn pressure(&self, rho: f64) -> f64 {
         let compression = rho / self.rho0;
         let b = self.rho0 * self.c0 * self.c0 / self.gamma;
-        if self.gamma == 7.0 {
+        if self.gamma == WATER_EXPONENT {
             let c2 = compression * compression;
             b * (c2 * c2 * c2 * compression - 1.0)
         } else if self.gamma == 1.0 {
@@ -33,7 +36,7 @@ impl Tait {
     #[inline]
     pub fn energy(&self, rho: f64) -> f64 {
         let s = rho / self.rho0;
-        let growth = if self.gamma == 7.0 {
+        let growth = if self.gamma == WATER_EXPONENT {
             let s2 = s * s;
             (s2 * s2 * s2 - 1.0) / 6.0
         } else if self.gamma == 1.0 {

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use crate::auto::Auto;
 use crate::domain::Domain;
 use crate::interactions::dissipation::Dissipation;
-use crate::wcsph::eos::Tait;
+use crate::wcsph::eos::{Tait, WATER_EXPONENT};
 
 /// Courant number by default (WC12) [-].
 const CFL: f64 = 0.6;
@@ -93,7 +93,7 @@ impl Default for Settings {
     fn default() -> Settings {
         Settings {
             sound_speed: Auto::Auto,
-            eos_exponent: 7.0,
+            eos_exponent: WATER_EXPONENT,
             dissipation: Dissipation::Diffusion,
             artificial_viscosity: 0.02,
             density_diffusion: 0.3,

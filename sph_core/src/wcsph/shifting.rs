@@ -126,3 +126,78 @@ fn shift_before_start(flow: &mut Flow<'_>, settling: f64, mut evaluate_forces: i
         flow.system.neighbours.flag_surface(&mut flow.system.fields);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Domain, Fluid, Kernel, Seed, Walls};
+
+    const SPACING: f64 = 0.1;
+    const H: f64 = 1.5 * SPACING;
+    const SIDE: usize = 15;
+    const MIDDLE: usize = SIDE * SIDE / 2;
+
+    fn place(k: usize) -> [f64; 2] {
+        let off = if k == MIDDLE { 0.2 * SPACING } else { 0.0 };
+        [SPACING * (k % SIDE) as f64 + off, SPACING * (k / SIDE) as f64]
+    }
+
+    /// A square block whose middle particle lies a fifth of a spacing too far right, moving at `speed` [m/s].
+    fn block(speed: f64, settings: &Settings) -> Fluid {
+        let seed = |k| Seed { at: place(k), velocity: [0.0, speed], area: SPACING * SPACING, pressure: 0.0 };
+        let mut fluid = Fluid::new(Domain::default(), settings, &(0..SIDE * SIDE).map(seed).collect::<Vec<_>>());
+        fluid.initialise(&mut Walls::default()).expect("a block of water");
+        fluid
+    }
+
+    /// How far each particle is from where it was seeded [m], by identity.
+    fn shifts(fluid: &Fluid) -> Vec<[f64; 2]> {
+        let (p, mut shifts) = (fluid.particles(), vec![[0.0; 2]; SIDE * SIDE]);
+        for (k, &id) in p.id.iter().enumerate() {
+            let [x, y] = place(id as usize);
+            shifts[id as usize] = [p.x[k] - x, p.y[k] - y];
+        }
+        shifts
+    }
+
+    /// ∂C/∂x of the middle particle [1/m], by hand.
+    fn gradient() -> f64 {
+        let [x, y] = place(MIDDLE);
+        let of = |k: usize| {
+            let [dx, dy] = [x - place(k)[0], y - place(k)[1]];
+            SPACING * SPACING * Kernel::WendlandC2.gradient_factor(dx.hypot(dy), H) * dx
+        };
+        (0..SIDE * SIDE).filter(|&k| k != MIDDLE).map(of).sum()
+    }
+
+    /// WC10: δx = −2h Δt |v| ∂C/∂x towards the gap, not beyond 0.02 h; particles of the free surface stay.
+    #[test]
+    fn a_moving_particle_is_shifted_out_of_the_crowd() {
+        let settings = Settings { sound_speed: 50.0.into(), settling: 0.0, ..Settings::default() };
+        let (speed, dt) = (2.0, 1e-3);
+        let mut fluid = block(speed, &settings);
+        even_out(fluid.system_mut(), &settings, dt);
+        let (found, exact) = (shifts(&fluid), -2.0 * H * dt * speed * gradient());
+        assert!(exact < -1e-5, "{exact} m");
+        assert!((found[MIDDLE][0] / exact - 1.0).abs() < 1e-5, "{} m, exact {exact} m", found[MIDDLE][0]);
+        assert!(found[MIDDLE][1].abs() < 1e-5 * exact.abs());
+        assert_eq!(found[SIDE / 2], [0.0; 2], "a particle of the surface");
+        even_out(fluid.system_mut(), &settings, 10.0);
+        let farther = found[MIDDLE][0] - shifts(&fluid)[MIDDLE][0];
+        assert!((farther / (LONGEST_SHIFT * H) - 1.0).abs() < 1e-12, "{farther} m in a long step");
+    }
+
+    /// Particles at rest stay, but for those newly split: δx = −κ h² ∂C/∂x, away from the surface.
+    #[test]
+    fn a_newly_split_particle_settles_at_rest() {
+        let settings = Settings { sound_speed: 50.0.into(), settling: 0.1, ..Settings::default() };
+        let mut fluid = block(0.0, &settings);
+        even_out(fluid.system_mut(), &settings, 1e-3);
+        assert!(shifts(&fluid).iter().all(|shift| *shift == [0.0; 2]));
+        fluid.particles_mut().newly_split = vec![true; SIDE * SIDE];
+        even_out(fluid.system_mut(), &settings, 1e-3);
+        let (found, exact) = (shifts(&fluid), -0.1 * H * H * gradient());
+        assert!((found[MIDDLE][0] / exact - 1.0).abs() < 1e-5, "{} m, exact {exact} m", found[MIDDLE][0]);
+        assert_eq!(found[SIDE + SIDE / 2], [0.0; 2], "beside the surface");
+    }
+}
