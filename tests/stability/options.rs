@@ -1,7 +1,8 @@
 //! Every option runs a dam break to its end, or fails as it is known to.
 
 use evidence::systems::{advance, scene, system};
-use run::summary::{Status, Summary};
+use run::summary::Summary;
+use run::vocabulary::Status;
 use run::{self, RunOptions};
 
 /// A coarse dam break to its end, 1.8 s.

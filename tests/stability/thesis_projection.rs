@@ -3,7 +3,7 @@
 
 use evidence::systems::{of_text, scene, system};
 use fsi_coupling::{Coupled, CouplingError};
-use run::summary::Status;
+use run::vocabulary::Status;
 use run::{self, RunOptions};
 use sph_core::Breakdown;
 

@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 use evidence::landing::{RHO, landing, prism, tapered_hull};
 use evidence::long::long;
 use rayon::prelude::*;
-use run::summary::Status;
+use run::vocabulary::Status;
 use scenarios::ditching::{self, Accelerometer, Landed, Summary};
 use water_entry::ditching::{Aeroplane, Attitude, LandingEnd, LandingState};
 use water_entry::{EntryModel, Loads, Section};

@@ -2,8 +2,8 @@
 
 use evidence::long::long;
 use evidence::systems::scene;
-use run::results::{BandwidthBy, Quantity, Verdict};
 use run::summary::Summary;
+use run::vocabulary::{BandwidthBy, Quantity, Verdict};
 use run::{RunOptions, run};
 
 fn summary(name: &str, sets: &[&str]) -> Summary {
@@ -11,7 +11,7 @@ fn summary(name: &str, sets: &[&str]) -> Summary {
 }
 
 fn peak_force(summary: &Summary) -> Quantity {
-    summary.results.peak_force_N_per_m.expect("a body")
+    summary.results.get(run::vocabulary::ResultName::PeakForce).expect("a body")
 }
 
 /// A round-bottomed section that flies in, at two speeds of sound: the mean is the same, and within its band of the modified
@@ -41,7 +41,11 @@ fn a_peak_within_six_spacings_of_draught_is_not_resolved() {
     let drop = ["body.deadrise_deg=15", "body.mass=250", "body.velocity=[0.0, -6.0]", "time.end=0.01"];
     let summary = summary("wedge", &[&drop[..], &["resolution.spacing=0.012"]].concat());
     assert_eq!(peak_force(&summary).verdict, Verdict::NotResolved);
-    assert!(summary.doubts.iter().any(|doubt| doubt.contains("resolution.spacing")), "{:?}", summary.doubts);
+    assert!(
+        summary.doubts.iter().any(|doubt| doubt.to_string().contains("resolution.spacing")),
+        "{:?}",
+        summary.doubts
+    );
 }
 
 /// A light drop at 8 mm, whose peak comes at 6.8 mm: the doubt names the spacing that theory asks for, before and after the run.
@@ -49,7 +53,11 @@ fn a_peak_within_six_spacings_of_draught_is_not_resolved() {
 fn a_light_drop_is_not_resolved_whatever_draught_the_run_shows() {
     let summary = summary("wedge", &["body.mass=2.72", "time.end=0.006", "resolution.spacing=0.008"]);
     assert_eq!(peak_force(&summary).verdict, Verdict::NotResolved);
-    assert!(summary.doubts.iter().any(|doubt| doubt.contains("0.00114 m would do")), "{:?}", summary.doubts);
+    assert!(
+        summary.doubts.iter().any(|doubt| doubt.to_string().contains("0.00114 m would do")),
+        "{:?}",
+        summary.doubts
+    );
 }
 
 /// A drop at 0.1 m/s that gravity makes ten times as fast, against the modified Logvinovich model.
@@ -76,10 +84,14 @@ fn a_flat_contact_is_refused_by_name_and_keeps_its_impulse() {
         for spacing in spacings {
             let summary = of(solver, &format!("resolution.spacing={spacing}"));
             assert_eq!(peak_force(&summary).verdict, Verdict::Acoustic, "{solver} {spacing}");
-            assert!(summary.doubts.iter().any(|doubt| doubt.contains("impulse_N_s_per_m")), "{:?}", summary.doubts);
+            assert!(
+                summary.doubts.iter().any(|doubt| doubt.to_string().contains("impulse_N_s_per_m")),
+                "{:?}",
+                summary.doubts
+            );
             let peak = summary.peaks["plate.fy_N_per_m"];
             assert_eq!((peak.value, peak.verdict), (peak_force(&summary).raw, Some(Verdict::Acoustic)));
-            impulses.push(summary.results.impulse_N_s_per_m.expect("a body").value);
+            impulses.push(summary.results.get(run::vocabulary::ResultName::Impulse).expect("a body").value);
         }
     }
     let mean = impulses.iter().sum::<f64>() / 4.0;
@@ -118,10 +130,10 @@ fn a_key_of_the_method_that_no_band_was_measured_with_takes_the_band() {
     let usual = ["resolution.spacing=0.06", "time.end=0.6", "compare=[]"];
     let of = |set: &str| summary("wedge_constant", &[&usual[..], &[set]].concat());
     let (with, without) = (of("fluid.cfl=0.5"), of("fluid.artificial_viscosity=0.5"));
-    assert!(peak_force(&with).band.is_some() && with.doubts.iter().all(|doubt| !doubt.contains("no band")));
+    assert!(peak_force(&with).band.is_some() && with.doubts.iter().all(|doubt| !doubt.to_string().contains("no band")));
     assert!(peak_force(&without).band.is_none() && without.error_bars.is_empty());
     assert!(
-        without.doubts.iter().any(|doubt| doubt.contains("fluid.artificial_viscosity = 0.5")),
+        without.doubts.iter().any(|doubt| doubt.to_string().contains("fluid.artificial_viscosity = 0.5")),
         "{:?}",
         without.doubts
     );

@@ -7,7 +7,7 @@ use numpy::PyArray1;
 use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use run::summary::Status;
+use run::vocabulary::Status;
 use run::{Checkpoints, Outcome, RunOptions, run};
 use scene::Scene;
 use sph_core::parallel;

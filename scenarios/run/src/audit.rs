@@ -5,6 +5,7 @@ use serde::Serialize;
 use settings::significant;
 
 use crate::observers::WorstPenetration;
+use crate::vocabulary::Doubt;
 
 /// Largest gap of the momentum that rounding can make [-].
 const MOMENTUM: f64 = 1e-9;
@@ -56,41 +57,44 @@ impl Audit {
         beyond(self.work, WORK)
     }
 
-    /// What is out of bounds, in sentences.
-    pub fn doubts(&self) -> Vec<String> {
+    /// What is out of bounds.
+    pub fn doubts(&self) -> Vec<Doubt> {
         let percent = |share: f64| match share > MOST_TOLD {
             true => format!("more than {} %", 100.0 * MOST_TOLD),
             false => format!("{} %", significant(100.0 * share)),
         };
-        let told = [
+        let found = [
             beyond(self.momentum, MOMENTUM).then(|| {
-                format!("audit.momentum: a step has a gap of {} of the momentum: a force has no counterforce", significant(self.momentum))
+                let gap = significant(self.momentum);
+                ("momentum", format!("a step has a gap of {gap} of the momentum: a force has no counterforce"))
             }),
             beyond(self.energy, ENERGY).then(|| {
-                format!(
-                    "audit.energy: {} of the energy exchanged came from nowhere: look at the frames, then use a finer spacing",
-                    percent(self.energy)
-                )
+                let share = percent(self.energy);
+                let why = format!(
+                    "{share} of the energy exchanged came from nowhere: look at the frames, then use a finer spacing"
+                );
+                ("energy", why)
             }),
             self.loses_work().then(|| {
-                format!(
-                    "audit.work: {} of the work of the water did not reach the body: the step is too long; \
-                     set a smaller time.step or fluid.cfl",
-                    percent(self.work)
-                )
+                let share = percent(self.work);
+                let why = format!(
+                    "{share} of the work of the water did not reach the body: the step is too long; set a smaller time.step or fluid.cfl"
+                );
+                ("work", why)
             }),
             beyond(self.structure, WORK).then(|| {
-                format!("audit.structure: {} of the work on the body is not in its energies", percent(self.structure))
+                ("structure", format!("{} of the work on the body is not in its energies", percent(self.structure)))
             }),
             self.surface.filter(|gap| beyond(*gap, SURFACE)).map(|gap| {
-                format!(
-                    "audit.surface: the impulse on a body is {} off that of the pressure along its outline: look at both, at a finer spacing",
+                let why = format!(
+                    "the impulse on a body is {} off that of the pressure along its outline: look at both, at a finer spacing",
                     percent(gap)
-                )
+                );
+                ("surface", why)
             }),
-            self.worst_penetration.as_ref().map(|worst| format!("audit.penetrated: {worst}")),
+            self.worst_penetration.as_ref().map(|worst| ("penetrated", worst.to_string())),
         ];
-        told.into_iter().flatten().collect()
+        found.into_iter().flatten().map(|(part, why)| Doubt::about(format!("audit.{part}"), why)).collect()
     }
 }
 
@@ -112,14 +116,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn each_part_out_of_bounds_is_told_by_its_name() {
+    fn each_part_out_of_bounds_is_named() {
         let fine = Audit { momentum: 1e-12, energy: -0.4, work: 0.005, structure: 1e-3, ..Audit::default() };
         assert!(fine.doubts().is_empty());
         let broken =
             Audit { momentum: 1e-6, energy: 0.3, work: 0.02, structure: 0.05, surface: Some(0.2), ..Audit::default() };
         let doubts = broken.doubts();
         for (doubt, name) in doubts.iter().zip(["momentum", "energy", "work", "structure", "surface"]) {
-            assert!(doubt.starts_with(&format!("audit.{name}: ")), "{doubt}");
+            assert!(doubt.about == [format!("audit.{name}")], "{doubt}");
         }
         assert_eq!(doubts.len(), 5);
         assert!(broken.loses_work() && !fine.loses_work());

@@ -12,12 +12,12 @@ use tracing::{debug, info, warn};
 use super::checkpoint::{self, Checkpoint, fingerprint, write_whole};
 use super::panel::first_rupture;
 use super::recorder::{Observed, Recorder, next};
-use super::summary::Status;
 use crate::compare::{self, ReferenceCurve};
 use crate::error::RunError;
 use crate::folder::{HOST_MARK, Held, prepare, refuse_occupied, write};
 use crate::observers::{LiveObserver, LogObserver, ObserveError};
 use crate::options::{Checkpoints, Outcome, RunOptions};
+use crate::vocabulary::Status;
 use crate::{build, charted, model_hierarchy};
 
 /// Why a run stopped before its end.

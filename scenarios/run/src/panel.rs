@@ -5,7 +5,7 @@ use serde::Serialize;
 use settings::significant;
 use structure_fe::{Break, Range};
 
-use crate::results::Results;
+use crate::vocabulary::{Doubt, Results};
 
 /// Extremes of a quantity over a panel and the run.
 #[derive(Clone, Copy, Debug, Serialize)]
@@ -54,9 +54,9 @@ pub(super) fn first_rupture(system: &Coupled) -> Option<String> {
 }
 
 /// What a rupture means for the results.
-pub(super) fn rupture_doubt(system: &Coupled, results: &Results) -> Option<String> {
-    let names: Vec<String> = results.named().into_iter().map(|(name, _)| name).collect();
-    Some(format!("{}: {}; they hold up to that moment", names.join(", "), first_rupture(system)?))
+pub(super) fn rupture_doubt(system: &Coupled, results: &Results) -> Option<Doubt> {
+    let about = results.named().map(|(id, _)| id.to_string()).collect();
+    Some(Doubt { about, why: format!("{}; they hold up to that moment", first_rupture(system)?).into() })
 }
 
 /// Extremes over every step of the run, not only over the samples.

@@ -4,6 +4,8 @@ use serde::Serialize;
 use settings::significant;
 use sph_core::{Kernel, Particles};
 
+use crate::vocabulary::Doubt;
+
 /// How regularly the particles lie at the end of a run: particles that pair, or clump, are nearer than a spacing.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct ParticleOrder {
@@ -18,14 +20,15 @@ const PAIRED: f64 = 0.02;
 
 impl ParticleOrder {
     /// Particles that are in one place, under a kernel that lets them pair; under others they have met in a splash.
-    pub(super) fn doubt(&self, kernel: Kernel) -> Option<String> {
+    pub(super) fn doubt(&self, kernel: Kernel) -> Option<Doubt> {
         let pairs = matches!(kernel, Kernel::Gaussian | Kernel::CubicSpline);
         (pairs && self.nearest_least < PAIRED).then(|| {
-            format!(
-                "order.nearest_least: two particles are {} spacings apart: they have paired, since the slope of this kernel vanishes \
+            let why = format!(
+                "two particles are {} spacings apart: they have paired, since the slope of this kernel vanishes \
                  at the centre; use a wendland kernel",
                 significant(self.nearest_least)
-            )
+            );
+            Doubt::about("order.nearest_least", why)
         })
     }
 }
@@ -77,7 +80,7 @@ mod tests {
         seeds[12].at[1] -= 0.75;
         let paired = particle_order(fluid(&seeds).particles()).expect("25 particles");
         let close = ParticleOrder { nearest_least: 0.001, ..paired };
-        assert!(close.doubt(Kernel::Gaussian).is_some_and(|why| why.contains("wendland")));
+        assert!(close.doubt(Kernel::Gaussian).is_some_and(|doubt| doubt.to_string().contains("wendland")));
         assert_eq!((close.doubt(Kernel::WendlandC2), paired.doubt(Kernel::Gaussian)), (None, None));
         assert!((paired.nearest_least - 0.25).abs() < 1e-9 && (paired.nearest_median - 1.0).abs() < 1e-9, "{paired:?}");
     }

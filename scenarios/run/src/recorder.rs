@@ -14,7 +14,7 @@ use super::link_results::{contact_results, joint_results};
 use super::modes::ModesResult;
 use super::particle_order::particle_order;
 use super::summary::{
-    Audit, Compressibility, Coupling, Log, PanelResult, Particles, Peak, Projection, Status, Summary, phase_times,
+    Audit, Compressibility, Coupling, Log, PanelResult, Particles, Peak, Projection, Summary, phase_times,
 };
 use crate::compare::{self, ReferenceCurve};
 use crate::error_bar::ErrorBars;
@@ -23,7 +23,8 @@ use crate::observers::{
     ForceRules, Frame, GaugeReader, GaugeResult, History, LiveObserver, LogObserver, ObserveError, Observer, Series,
     SimilarityResult, SimilarityWindow, WorstPenetration, body_values, unlikely_waves,
 };
-use crate::results::{ResultsObserver, Verdict};
+use crate::results::ResultsObserver;
+use crate::vocabulary::{Doubt, ResultName, Status};
 
 /// Means are taken over the run from this share of it on.
 const LATE: f64 = 0.8;
@@ -282,17 +283,15 @@ impl Recorder {
             doubts.extend(results.unresolve(0.0, "the run broke down"));
         }
         let of_waves = unlikely_waves(scene, &self.series);
-        let others = super::panel::rupture_doubt(system, &results).into_iter().chain(self.host_doubt.clone());
+        let others =
+            super::panel::rupture_doubt(system, &results).into_iter().chain(self.host_doubt.clone().map(Doubt::of_run));
         doubts.extend(audit.doubts().into_iter().chain(of_waves).chain(others));
         let order = particle_order(fluid.particles());
         doubts.extend(order.and_then(|order| order.doubt(fluid.domain().fluid.kernel)));
         let compressibility = self.compressibility(scene);
         doubts.extend(compressibility.as_ref().and_then(Compressibility::doubt));
         let (comparison, not_compared) = compare::against_all(scene, references, &self.series, similarity.as_ref());
-        let verdict = results
-            .peak_force_N_per_m
-            .map(|force| force.verdict)
-            .filter(|v| !matches!(v, Verdict::Resolved | Verdict::NoBand));
+        let verdict = results.get(ResultName::PeakForce).map(|force| force.verdict).filter(|v| !v.is_sound());
         let gauges = self.gauges.results();
         let of_body = |name: &str| self.extremes.iter().find(|(own, _)| own == name).map(|(_, peak)| *peak);
         let extreme = |name: &str| {
@@ -310,7 +309,7 @@ impl Recorder {
         };
         Summary {
             scene: scene.name.clone(),
-            status: status.with(&results, &doubts),
+            status: status.with(&results, !doubts.is_empty()),
             message,
             results,
             acceleration_filtered,

@@ -16,43 +16,8 @@ use super::particle_order::ParticleOrder;
 use crate::compare::Comparison;
 use crate::error_bar::ErrorBars;
 use crate::observers::{GaugeResult, Rest, RuleResult, SimilarityResult, Water, Waves};
-use crate::results::{FilteredAcceleration, Results, Verdict};
-
-/// How a run ended.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Status {
-    /// Reached its end time; nothing speaks against its results.
-    #[default]
-    Completed,
-    /// Reached its end time; `doubts` says which results are not to be relied on.
-    CompletedWithDoubts,
-    /// Reached its end time; a panel is beyond its limits.
-    BeyondAllowable,
-    /// Ended where the first end of a panel broke off; `message` has panel, place, time and strain.
-    Ruptured,
-    /// Broke down; `message` has cause, place and time.
-    Failed,
-    /// Ended by the user.
-    Interrupted,
-}
-
-impl Status {
-    /// True for a run that reached its end time.
-    pub fn is_completed(self) -> bool {
-        matches!(self, Status::Completed | Status::CompletedWithDoubts | Status::BeyondAllowable)
-    }
-
-    /// The status of a run that ended so, with its results and the doubts about them.
-    pub(crate) fn with(self, results: &Results, doubts: &[String]) -> Status {
-        let beyond = results.named().iter().any(|(_, quantity)| quantity.allowed == Some(false));
-        match self {
-            Status::Completed if beyond => Status::BeyondAllowable,
-            Status::Completed if !doubts.is_empty() => Status::CompletedWithDoubts,
-            other => other,
-        }
-    }
-}
+use crate::results::FilteredAcceleration;
+use crate::vocabulary::{Doubt, Doubts, Results, Status, Verdict};
 
 /// Numbers of particles.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
@@ -105,12 +70,12 @@ pub struct Compressibility {
 
 impl Compressibility {
     /// Water that outran the forecast by which the speed of sound was chosen.
-    pub(crate) fn doubt(&self) -> Option<String> {
+    pub(crate) fn doubt(&self) -> Option<Doubt> {
         (self.mach_reached > FITTED_MACH).then(|| {
-            format!(
-                "compressibility.mach_reached: a particle reached Mach {}: compressibility is not small; set a higher fluid.sound_speed",
-                significant(self.mach_reached)
-            )
+            let mach = significant(self.mach_reached);
+            let why =
+                format!("a particle reached Mach {mach}: compressibility is not small; set a higher fluid.sound_speed");
+            Doubt::about("compressibility.mach_reached", why)
         })
     }
 }
@@ -173,7 +138,8 @@ pub struct Summary {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub acceleration_filtered: Option<FilteredAcceleration>,
     /// Doubts about them, in sentences.
-    pub doubts: Vec<String>,
+    #[serde(flatten)]
+    pub doubts: Doubts,
     /// Warnings about the scene, before the run; absent when there are none.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub warnings: Vec<String>,

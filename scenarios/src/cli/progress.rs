@@ -8,8 +8,8 @@ use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
 use run::log::{LogError, Viewers};
-use run::results::Quantity;
-use run::summary::{Status, Summary};
+use run::summary::Summary;
+use run::vocabulary::{Quantity, ResultId, Status};
 use run::{Outcome, RunError, RunOptions};
 use scene::Scene;
 use settings::significant;
@@ -105,7 +105,9 @@ pub(super) fn step_to_end(
     match summary.status {
         Status::Completed | Status::CompletedWithDoubts | Status::BeyondAllowable | Status::Ruptured => Ok(DONE),
         Status::Failed => Err(Stop::Failed(summary.message.unwrap_or_default())),
-        Status::Interrupted => Err(Stop::Failed(format!("interrupted at t = {:.6} s", summary.time_end_s))),
+        Status::Interrupted | Status::NotFinished => {
+            Err(Stop::Failed(format!("interrupted at t = {:.6} s", summary.time_end_s)))
+        }
     }
 }
 
@@ -120,7 +122,7 @@ fn progress_bar(output: &Output) -> ProgressBar {
 }
 
 /// A result on a line.
-fn result_in_words((name, quantity): &(String, Quantity)) -> String {
+fn result_in_words((name, quantity): (ResultId, &Quantity)) -> String {
     if quantity.is_withheld() {
         return format!("  {name}: withheld, {}: its band is as large as itself", quantity.verdict.name());
     }
@@ -148,7 +150,7 @@ fn in_words(s: &Summary) -> String {
         ),
     }];
     lines.extend(s.message.iter().filter(|_| s.status == Status::Ruptured).map(|what| format!("  RUPTURE: {what}")));
-    lines.extend(s.results.named().iter().map(result_in_words));
+    lines.extend(s.results.named().map(result_in_words));
     lines.extend(s.results.bandwidth_by.map(|by| format!("  bandwidth of the force: {}", by.words())));
     lines.extend(s.doubts.iter().map(|doubt| format!("  DOUBT: {doubt}")));
     lines.extend(s.choice.iter().map(|why| format!("  model chosen: {why}")));

@@ -4,7 +4,8 @@ use std::f64::consts::TAU;
 use std::time::Instant;
 
 use report::run_page::quantity::digits;
-use run::summary::{Peak, Status};
+use run::summary::Peak;
+use run::vocabulary::Status;
 use serde::Serialize;
 use settings::Problem;
 use water_entry::ditching::{Bending, LandingEnd, LandingResult, Swell};

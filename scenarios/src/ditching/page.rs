@@ -5,7 +5,8 @@ use report::run_page::quantity::{Unit, digits, with_unit};
 use report::{
     Block, Card, Chart, Curve, Lead, Mark, Table, Tone, escape, hint_html, lead_html, page as html_page, row,
 };
-use run::summary::{Peak, Status};
+use run::summary::Peak;
+use run::vocabulary::Status;
 
 use super::landed::{Landed, Structure, seconds};
 use super::loads::StationLoad;

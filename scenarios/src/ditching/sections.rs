@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use run::summary::Status;
+use run::vocabulary::Status;
 use run::{RunError, RunOptions, load_text, run};
 use scene::SceneError;
 use serde::Serialize;

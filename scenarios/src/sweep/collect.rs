@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, HashMap};
 
 use rayon::prelude::*;
+use run::vocabulary::{Status, Verdict};
 use serde_json::Value;
 
 use super::file::SCENE_AXIS;
@@ -10,7 +11,9 @@ use super::folder::{KILLED, Outcome, State, SweepFolder};
 use super::plan::{Axis, Plan, Point};
 
 /// Status of a run that failed.
-const FAILED: &str = "failed";
+pub(super) fn is_failed(status: &str) -> bool {
+    status == Status::Failed.name()
+}
 
 /// A number of a summary.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,7 +23,7 @@ pub struct Number {
     /// Half width of its band, where one is known.
     pub band: Option<f64>,
     /// What may be said of it, where it is judged.
-    pub verdict: Option<String>,
+    pub verdict: Option<Verdict>,
     /// When [s], where it has a time.
     pub time_s: Option<f64>,
     /// Whether it is within its limits, where it has some.
@@ -33,15 +36,31 @@ impl Number {
         Number { value, band: None, verdict: None, time_s: None, allowed: None }
     }
 
-    /// Words of `summary.json` that a reader must know: that it is beyond its limits, and what may be said of it.
-    pub fn words(&self) -> impl Iterator<Item = &str> {
-        let beyond = (self.allowed == Some(false)).then_some(BEYOND);
-        beyond.into_iter().chain(self.verdict.as_deref())
+    /// What a reader must know: that it is beyond its limits, and what may be said of it.
+    pub fn said(&self) -> impl Iterator<Item = Said> {
+        let beyond = (self.allowed == Some(false)).then_some(Said::Beyond);
+        beyond.into_iter().chain(self.verdict.map(Said::Of))
     }
 }
 
-/// The word of a number beyond its limits.
-pub(super) const BEYOND: &str = "beyond_allowable";
+/// What a reader must know of a number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Said {
+    /// It is beyond its limits.
+    Beyond,
+    /// What may be said of it.
+    Of(Verdict),
+}
+
+impl Said {
+    /// On a page.
+    pub fn words(self) -> &'static str {
+        match self {
+            Said::Beyond => Status::BeyondAllowable.words(),
+            Said::Of(verdict) => verdict.words(),
+        }
+    }
+}
 
 /// A point with what it gave.
 #[derive(Clone, Debug, PartialEq)]
@@ -69,7 +88,7 @@ pub struct PointResult {
 impl PointResult {
     /// True for a point with results that did not fail.
     pub fn is_completed(&self) -> bool {
-        self.status != FAILED && !(self.numbers.is_empty() && self.texts.is_empty())
+        !is_failed(&self.status) && !(self.numbers.is_empty() && self.texts.is_empty())
     }
 
     /// True for a point that ended otherwise: without results, or a landing that left the range of its model.
@@ -151,14 +170,14 @@ impl Found {
             State::Waiting => point.outcome().filter(|o| o.status == KILLED).unwrap_or_else(|| status("waiting")),
         };
         let mut found = Found { outcome, numbers: Vec::new(), texts: Vec::new() };
-        let has_failed = found.outcome.status == FAILED;
+        let has_failed = is_failed(&found.outcome.status);
         if !found.outcome.is_completed() && !has_failed {
             return found;
         }
         match point.summary() {
             // up to its end a landing that left the range of its model has loads, and they may be the largest of all
             Ok(summary) if has_failed && is_landing(&summary) && plan.tabulate.is_empty() => {
-                let unresolved = |number: Number| Number { verdict: Some("not_resolved".into()), ..number };
+                let unresolved = |number: Number| Number { verdict: Some(Verdict::NotResolved), ..number };
                 found.numbers = usual(&summary).into_iter().map(|(name, number)| (name, unresolved(number))).collect();
             }
             _ if has_failed => {}
@@ -166,14 +185,14 @@ impl Found {
             Ok(summary) => {
                 plan.tabulate.iter().for_each(|path| found.take(&summary, path));
                 if found.numbers.is_empty() && found.texts.is_empty() {
-                    found.outcome.status = FAILED.into();
+                    found.outcome.status = Status::Failed.name().into();
                     let (path, paths) = (point.file("summary.json"), plan.tabulate.join(", "));
                     found.outcome.message =
                         Some(format!("{} has nothing at {paths}, the paths of `tabulate`", path.display()));
                 }
             }
             Err(why) => {
-                found.outcome.status = FAILED.into();
+                found.outcome.status = Status::Failed.name().into();
                 found.outcome.message = Some(why);
             }
         }
@@ -218,14 +237,13 @@ fn number(value: &Value) -> Option<Number> {
             let band = of("band");
             let verdict = value.get("verdict").and_then(Value::as_str);
             // folders of older versions: no value is resolved without a band, and being allowed was part of the verdict
-            let of_older = verdict == Some(BEYOND);
-            let verdict = verdict.map(|own| match own {
-                "resolved" if band.is_none() => "no_band",
-                BEYOND => "no_band",
+            let of_older = verdict == Some(Status::BeyondAllowable.name());
+            let verdict = verdict.map(|own| match Verdict::of(own) {
+                _ if of_older => Verdict::NoBand,
+                Verdict::Resolved if band.is_none() => Verdict::NoBand,
                 own => own,
             });
             let allowed = value.get("allowed").and_then(Value::as_bool).or(of_older.then_some(false));
-            let verdict = verdict.map(String::from);
             Some(Number { value: of("value")?, band, verdict, time_s: of("time_s"), allowed })
         }
     }
@@ -267,7 +285,7 @@ fn usual(summary: &Value) -> Vec<(String, Number)> {
         });
         // no landing's load has a band
         let without_band =
-            |(name, number): (String, Number)| (name, Number { verdict: Some("no_band".into()), ..number });
+            |(name, number): (String, Number)| (name, Number { verdict: Some(Verdict::NoBand), ..number });
         let loads: Vec<(String, Number)> = of_named.into_iter().chain(loads).map(without_band).collect();
         let peaks: Vec<(String, Number)> = named(summary, "").into_iter().map(without_band).collect();
         return [peaks, plain(summary, "", &OF_LANDING), loads].concat();

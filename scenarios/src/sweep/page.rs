@@ -1,9 +1,9 @@
 //! `sweep.html`: worst cases, trends, response surfaces, points and failures.
 
-use report::run_page::in_words;
 use report::{Block, Card, Lead, Table, Tone, hint_html, lead_html, page as html_page};
+use run::vocabulary::{ResultName, Status, Verdict};
 
-use super::collect::{Collected, Number, PointResult};
+use super::collect::{Collected, Number, PointResult, Said, is_failed};
 use super::surfaces::surfaces;
 use super::table::{Worst, folder_of, worst};
 use super::trends::{charted, trends};
@@ -43,13 +43,13 @@ fn lead(collected: &Collected, cases: &[Worst<'_>]) -> Lead {
     let axes: Vec<String> = collected.axes.iter().map(|axis| axis.key.clone()).collect();
     let over = if axes.is_empty() { "one point".to_string() } else { axes.join(" × ") };
     let all = collected.points.len();
-    let with_status = |status: &str| collected.points.iter().filter(|point| point.status == status).count();
+    let with_status = |status: Status| collected.points.iter().filter(|point| point.status == status.name()).count();
     let (done, failed) = (collected.completed().count(), collected.failed().count());
     let counts = [
-        (with_status("completed_with_doubts"), "with doubts"),
-        (with_status("beyond_allowable"), "with a panel beyond the allowable"),
-        (with_status("ruptured"), "ended at a rupture"),
-        (failed, "failed"),
+        (with_status(Status::CompletedWithDoubts), "with doubts"),
+        (with_status(Status::BeyondAllowable), "with a panel beyond the allowable"),
+        (with_status(Status::Ruptured), Status::Ruptured.words()),
+        (failed, Status::Failed.words()),
         (all - done - failed, "without a result yet"),
     ];
     let wrong: Vec<String> =
@@ -68,8 +68,8 @@ fn lead(collected: &Collected, cases: &[Worst<'_>]) -> Lead {
     let message =
         |p: &PointResult| format!("point {}: {}: {}", p.number, p.status, p.message.as_deref().unwrap_or("-"));
     let unresolved_at = |point: &&PointResult| {
-        let mut verdicts = point.numbers.values().filter_map(|number| number.verdict.as_deref());
-        verdicts.any(|verdict| verdict != "resolved")
+        let mut verdicts = point.numbers.values().filter_map(|number| number.verdict);
+        verdicts.any(|verdict| verdict != Verdict::Resolved)
     };
     let count = collected.completed().filter(unresolved_at).count();
     let unresolved =
@@ -117,18 +117,18 @@ fn is_aside(case: &Worst<'_>) -> bool {
 /// What is worst, with the scene where there are several.
 fn title(case: &Worst<'_>, quantity: &Quantity) -> String {
     let scene = case.scene.as_ref().map_or(String::new(), |scene| format!(", {scene}"));
-    let least = if case.quantity == "reserve_factor" { "Least" } else { "Largest" };
+    let least = if case.quantity == ResultName::ReserveFactor.name() { "Least" } else { "Largest" };
     format!("{least} {}{scene}", inside(&quantity.title))
 }
 
 /// What is said of a worst case that is not resolved.
 fn unresolved(case: &Worst<'_>, quantity: &Quantity) -> Option<String> {
-    let verdict = case.number.verdict.as_deref().filter(|verdict| *verdict != "resolved")?;
+    let verdict = case.number.verdict.filter(|verdict| *verdict != Verdict::Resolved)?;
     let resolved = match case.resolved {
         Some((number, point)) => format!("; worst resolved {} at point {}", quantity.whole(number), point.number),
         None => String::new(),
     };
-    Some(format!("{}{resolved}", in_words(verdict)))
+    Some(format!("{}{resolved}", verdict.words()))
 }
 
 fn card(collected: &Collected, case: &Worst<'_>, quantity: &Quantity) -> Card {
@@ -149,17 +149,21 @@ fn card(collected: &Collected, case: &Worst<'_>, quantity: &Quantity) -> Card {
 
 /// The address of a point's report, from the folder of the sweep.
 fn report_of(point: &PointResult) -> Option<String> {
-    let id = point.id.as_deref().filter(|_| point.is_completed() || point.status == "failed");
+    let id = point.id.as_deref().filter(|_| point.is_completed() || is_failed(&point.status));
     id.map(|id| format!("{}/report.html", folder_of(id)))
 }
 
 /// Marks of the verdicts, for the table of points.
-const MARKS: [(&str, &str); 4] =
-    [("acoustic", "~"), ("not_resolved", "?"), ("no_band", "*"), ("beyond_allowable", "!")];
+const MARKS: [(Said, &str); 4] = [
+    (Said::Of(Verdict::Acoustic), "~"),
+    (Said::Of(Verdict::NotResolved), "?"),
+    (Said::Of(Verdict::NoBand), "*"),
+    (Said::Beyond, "!"),
+];
 
 /// A number with its band and its mark.
 fn marked(quantity: &Quantity, number: &Number) -> String {
-    let marks = MARKS.iter().filter(|(word, _)| number.words().any(|own| own == *word));
+    let marks = MARKS.iter().filter(|(said, _)| number.said().any(|own| own == *said));
     let marks: String = marks.map(|(_, mark)| format!(" {mark}")).collect();
     format!("{}{marks}", quantity.banded(number))
 }
@@ -198,8 +202,7 @@ fn worst_cases(collected: &Collected, cases: &[Worst<'_>]) -> Vec<Block> {
         rows: rows.collect(),
     };
     let links = cases.iter().map(|case| report_of(case.point)).collect();
-    let is_doubtful = |verdict: &str| !["resolved", "no_band"].contains(&verdict);
-    let doubtful = cases.iter().any(|case| case.number.verdict.as_deref().is_some_and(is_doubtful));
+    let doubtful = cases.iter().any(|case| case.number.verdict.is_some_and(|verdict| !verdict.is_sound()));
     let words = "A value that is not resolved may be too large or too small; the reports of the points say why.";
     let mut blocks = vec![Block::LinkedTable { table, column: before.len() - 1, links }];
     blocks.extend(doubtful.then(|| Block::Text(words.into())));
@@ -211,23 +214,23 @@ fn points(collected: &Collected) -> Vec<Block> {
         charted(collected).into_iter().map(|name| (name, Quantity::of(collected, name))).collect();
     let listed = || collected.points.iter().take(MOST_LISTED);
     // statuses that are all the same stand above
-    let told = listed().any(|point| point.status != "completed");
+    let differ = listed().any(|point| point.status != Status::Completed.name());
     let rows = listed().map(|point| {
         let number = |(name, quantity): &(&str, Quantity)| {
             point.numbers.get(*name).map_or(DASH.into(), |number| marked(quantity, number))
         };
         let first = [point.number.to_string()];
-        let status = told.then(|| point.status.replace('_', " "));
+        let status = differ.then(|| point.status.replace('_', " "));
         first.into_iter().chain(axes_of(point)).chain(status).chain(quantities.iter().map(number)).collect()
     });
     let labels = quantities.iter().map(|(_, quantity)| quantity.label());
-    let after: Vec<String> = told.then(|| "status".to_string()).into_iter().chain(labels).collect();
-    let has = |verdict: &str| {
+    let after: Vec<String> = differ.then(|| "status".to_string()).into_iter().chain(labels).collect();
+    let has = |said: Said| {
         let mut numbers = listed().flat_map(|point| point.numbers.values());
-        numbers.any(|number| number.words().any(|own| own == verdict))
+        numbers.any(|number| number.said().any(|own| own == said))
     };
-    let marks = MARKS.iter().filter(|(verdict, _)| has(verdict));
-    let marks: Vec<String> = marks.map(|(verdict, mark)| format!("{mark} {}", in_words(verdict))).collect();
+    let marks = MARKS.iter().filter(|(said, _)| has(*said));
+    let marks: Vec<String> = marks.map(|(said, mark)| format!("{mark} {}", said.words())).collect();
     let marks = if marks.is_empty() { String::new() } else { format!(" Marks: {}.", marks.join(", ")) };
     let table = Table {
         title: format!("Points, with bands; the number leads to the report.{marks}"),

@@ -1,5 +1,6 @@
 //! The table of a sweep, and its worst cases.
 
+use run::vocabulary::{ResultName, Verdict};
 use serde::Serialize;
 use serde_json::Value;
 
@@ -33,7 +34,10 @@ pub(crate) fn table(collected: &Collected) -> DataTable {
             table.numbers(format!("{name}.band"), numbers_of(|number| number.band));
         }
         if has(|number| number.verdict.is_some()) {
-            table.texts(format!("{name}.verdict"), numbers.clone().map(|number| number?.verdict.clone()));
+            table.texts(
+                format!("{name}.verdict"),
+                numbers.clone().map(|number| Some(number?.verdict?.name().to_string())),
+            );
         }
         if has(|number| number.allowed.is_some()) {
             let allowed = numbers.clone().map(|number| number?.allowed.map(|is| is.to_string()));
@@ -98,7 +102,7 @@ pub(super) fn worst<'a>(collected: &'a Collected) -> Vec<Worst<'a>> {
             Some((place, quantity)) if place != "audit" && !name.contains('/') => (place, quantity),
             _ => ("", name.as_str()),
         };
-        let severity = |number: &Number| match quantity == "reserve_factor" {
+        let severity = |number: &Number| match quantity == ResultName::ReserveFactor.name() {
             true => -number.value,
             false => number.value.abs(),
         };
@@ -109,7 +113,7 @@ pub(super) fn worst<'a>(collected: &'a Collected) -> Vec<Worst<'a>> {
             // of equals the first
             let worse =
                 |worst: Found<'a>, next: Found<'a>| if severity(next.1) > severity(worst.1) { next } else { worst };
-            let is_resolved = |number: &Number| number.verdict.as_deref() == Some("resolved");
+            let is_resolved = |number: &Number| number.verdict == Some(Verdict::Resolved);
             let resolved = numbers.iter().copied().filter(|(_, number)| is_resolved(number)).reduce(worse);
             let case = |(point, number)| {
                 let resolved = resolved.filter(|_| !is_resolved(number)).map(|(point, number)| (number, point));
@@ -135,7 +139,7 @@ pub struct WorstCase {
     /// Half width of its band, where one is known.
     pub band: Option<f64>,
     /// What may be said of it, where it is judged.
-    pub verdict: Option<String>,
+    pub verdict: Option<Verdict>,
     /// The number of the point that made it.
     pub point: usize,
 }
@@ -148,7 +152,7 @@ pub fn worst_cases(collected: &Collected) -> Vec<WorstCase> {
         scene: case.scene,
         value: case.number.value,
         band: case.number.band,
-        verdict: case.number.verdict.clone(),
+        verdict: case.number.verdict,
         point: case.point.number,
     };
     worst(collected).into_iter().map(case).collect()
@@ -163,7 +167,7 @@ pub(crate) fn worst_table(collected: &Collected) -> DataTable {
     table.texts("scene", cases.iter().map(|case| case.scene.clone()));
     table.numbers("value", cases.iter().map(|case| Some(case.number.value)));
     table.numbers("band", cases.iter().map(|case| case.number.band));
-    table.texts("verdict", cases.iter().map(|case| case.number.verdict.clone()));
+    table.texts("verdict", cases.iter().map(|case| case.number.verdict.map(|verdict| verdict.name().to_string())));
     table.numbers("time_s", cases.iter().map(|case| case.number.time_s));
     table.wholes("point", cases.iter().map(|case| Some(case.point.number)));
     for (k, axis) in collected.axes.iter().enumerate() {

@@ -1,10 +1,10 @@
 //! Charts of each quantity against each axis: colours and dashes by the other axes, bands, marks for what is not resolved.
 
-use report::run_page::in_words;
 use report::{Block, CATEGORIES, Chart, Curve, Mark, Paint, Rgb, TrendLine};
+use run::vocabulary::Verdict;
 use serde_json::Value;
 
-use super::collect::{Collected, Number, PointResult};
+use super::collect::{Collected, Number, PointResult, Said};
 use super::response::extent;
 use super::words::{Quantity, axis_label, axis_value};
 
@@ -22,12 +22,12 @@ const RAMP: [[f64; 3]; 5] =
     [[47.0, 111.0, 214.0], [139.0, 92.0, 214.0], [204.0, 71.0, 148.0], [222.0, 99.0, 66.0], [199.0, 140.0, 0.0]];
 const GREY: Rgb = [128, 128, 128];
 /// Verdicts with their marks, and the form of the mark.
-const MARKS: [(&str, Mark, usize); 5] = [
-    ("resolved", Mark::Points, 0),
-    ("no_band", Mark::Hollow, 0),
-    ("not_resolved", Mark::Hollow, 2),
-    ("acoustic", Mark::Hollow, 3),
-    ("beyond_allowable", Mark::Points, 1),
+const MARKS: [(Said, Mark, usize); 5] = [
+    (Said::Of(Verdict::Resolved), Mark::Points, 0),
+    (Said::Of(Verdict::NoBand), Mark::Hollow, 0),
+    (Said::Of(Verdict::NotResolved), Mark::Hollow, 2),
+    (Said::Of(Verdict::Acoustic), Mark::Hollow, 3),
+    (Said::Beyond, Mark::Points, 1),
 ];
 
 /// The quantities that are drawn: all but the audit, the first few.
@@ -148,7 +148,7 @@ fn chart(collected: &Collected, name: &str, axis: usize) -> Option<Chart> {
         }
     }
     groups.sort_unstable();
-    let of = |own: [usize; 2], verdict: Option<&str>, mark: Mark, form: usize| {
+    let of = |own: [usize; 2], verdict: Option<Said>, mark: Mark, form: usize| {
         let own_spots = spots.iter().filter(|spot| group(spot) == own);
         let shown = own_spots.filter(|spot| verdict.is_none_or(|wanted| verdict_of(spot.number) == wanted));
         let points = shown.map(|spot| [spot.x, quantity.scale * spot.number.value]);
@@ -202,8 +202,8 @@ fn chart(collected: &Collected, name: &str, axis: usize) -> Option<Chart> {
 }
 
 /// What may be said of a number; one that is not judged is drawn as one that is resolved.
-fn verdict_of(number: &Number) -> &str {
-    number.words().find(|own| MARKS.iter().any(|(known, ..)| known == own)).unwrap_or("resolved")
+fn verdict_of(number: &Number) -> Said {
+    number.said().next().unwrap_or(Said::Of(Verdict::Resolved))
 }
 
 /// Entries for colours, for dashes, and for marks where not all points are resolved.
@@ -218,10 +218,10 @@ fn legend(collected: &Collected, colours: &Levels, dashes: Option<&Levels>, spot
     if let Some(dashes) = dashes {
         entries.extend((0..of(dashes)).map(|k| entry(dashes.label(collected, k), Mark::Line, GREY, k)));
     }
-    let has = |verdict: &str| spots.iter().any(|spot| verdict_of(spot.number) == verdict);
-    if MARKS.iter().skip(1).any(|(verdict, ..)| has(verdict)) {
-        let present = MARKS.into_iter().filter(|(verdict, ..)| has(verdict));
-        entries.extend(present.map(|(verdict, mark, form)| entry(in_words(verdict).into(), mark, GREY, form)));
+    let has = |verdict: Said| spots.iter().any(|spot| verdict_of(spot.number) == verdict);
+    if MARKS.iter().skip(1).any(|(verdict, ..)| has(*verdict)) {
+        let present = MARKS.into_iter().filter(|(verdict, ..)| has(*verdict));
+        entries.extend(present.map(|(verdict, mark, form)| entry(verdict.words().into(), mark, GREY, form)));
     }
     match entries.is_empty() {
         // one entry without a name: no legend

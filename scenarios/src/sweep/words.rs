@@ -1,13 +1,13 @@
 //! Quantities and axes of a sweep in the words and units of the page.
 
-use report::run_page::quantity::{Unit, column, digits, result};
-use report::run_page::{in_words as verdict_in_words, two_digits};
+use report::run_page::quantity::{Unit, digits};
+use report::run_page::two_digits;
 use report::{COARSE, Tone};
-use run::results::is_withheld;
+use run::vocabulary::{ResultId, Status, Verdict, column_title, is_withheld};
 use serde_json::Value;
 use settings::significant;
 
-use super::collect::{BEYOND, Collected, Number, PointResult};
+use super::collect::{Collected, Number, PointResult};
 use super::file::SCENE_AXIS;
 use super::plan::Axis;
 use super::table::plain;
@@ -51,9 +51,8 @@ const OF_AUDIT: [(&str, &str); 4] = [
 
 /// Title, SI unit and factor to it.
 fn known(name: &str) -> Option<(String, &'static str, f64)> {
-    let (title, si) = result(name);
-    if title != name {
-        return Some((title, si, 1.0));
+    if let Some(id) = ResultId::of(name) {
+        return Some((id.title(), id.name.si(), 1.0));
     }
     let of_landing = |name: &str| OF_LANDING.into_iter().find(|(key, ..)| *key == name);
     if let Some((_, title, si)) = of_landing(name) {
@@ -69,7 +68,7 @@ fn known(name: &str) -> Option<(String, &'static str, f64)> {
     }
     // a path of the summary, such as peaks/wedge.vy_m_per_s
     let (table, name) = name.rsplit_once('/')?;
-    let known = column(name);
+    let known = column_title(name);
     (known.title != name).then(|| (format!("{} ({table})", known.title), known.si, known.scale))
 }
 
@@ -114,14 +113,14 @@ impl Quantity {
 
 /// What may be said of a number, in words: one with a band above a share of it is coarse.
 pub(super) fn verdict(number: &Number) -> Option<(Tone, String)> {
-    let verdict = number.verdict.as_deref()?;
+    let verdict = number.verdict?;
     let share = number.band.map(|band| (band / number.value).abs()).filter(|share| share.is_finite());
     let percent = share.map_or(String::new(), |share| format!(", ±\u{a0}{:.0}\u{a0}%", 100.0 * share));
     let (tone, words) = match verdict {
-        _ if number.allowed == Some(false) => (Tone::Failed, verdict_in_words(BEYOND)),
-        "resolved" if share.is_some_and(|share| share > COARSE) => (Tone::Doubtful, "coarse"),
-        "resolved" => (Tone::Good, "resolved"),
-        _ => (Tone::Doubtful, verdict_in_words(verdict)),
+        _ if number.allowed == Some(false) => (Tone::Failed, Status::BeyondAllowable.words()),
+        Verdict::Resolved if share.is_some_and(|share| share > COARSE) => (Tone::Doubtful, "coarse"),
+        Verdict::Resolved => (Tone::Good, verdict.words()),
+        _ => (Tone::Doubtful, verdict.words()),
     };
     Some((tone, words.to_string() + &percent))
 }
@@ -237,7 +236,7 @@ mod tests {
         let number = Number { band: Some(384.5), ..Number::plain(15330.8) };
         assert_eq!(force.whole(&number), "15.3\u{a0}±\u{a0}0.38\u{a0}kN/m");
         assert_eq!(force.label(), "Peak force [kN/m]");
-        let with = |band: f64| Number { band: Some(band), verdict: Some("resolved".into()), ..number.clone() };
+        let with = |band: f64| Number { band: Some(band), verdict: Some(Verdict::Resolved), ..number.clone() };
         assert_eq!(verdict(&with(384.5)), Some((Tone::Good, "resolved, ±\u{a0}3\u{a0}%".into())));
         assert_eq!(verdict(&with(1e4)), Some((Tone::Doubtful, "coarse, ±\u{a0}65\u{a0}%".into())));
     }

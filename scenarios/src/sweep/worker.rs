@@ -3,7 +3,7 @@
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
-use run::summary::Status;
+use run::vocabulary::Status;
 use run::{Checkpoints, Resumable, RunError, RunOptions, run};
 use scene::Loaded;
 

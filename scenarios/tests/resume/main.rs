@@ -8,7 +8,7 @@ mod refused;
 use std::fs;
 use std::path::Path;
 
-use run::summary::Status;
+use run::vocabulary::Status;
 use run::{Checkpoints, Resumable, RunOptions, run};
 use scene::Scene;
 use serde_json::Value;

@@ -3,13 +3,13 @@
 use run::compare::{self, ReferenceCurve};
 use run::observers::phaseless;
 use run::results::PASS_OVER_CLASS;
+use run::vocabulary::{ColumnTitle, Quantity, ResultName, column_title};
 use scene::{Compare, Scene};
 use water_entry::EntryModel;
 
 use super::folder::RunFolder;
 use super::headline::allowable;
-use super::quantity::{Column, Unit, column, with_unit};
-use super::record::Quantity;
+use super::quantity::{Unit, with_unit};
 use super::references::{self, in_full};
 use super::theories::{self, Theories};
 use crate::{Chart, Curve, Mark, Paint, Rgb};
@@ -54,7 +54,7 @@ pub(crate) struct Figure {
 /// Columns that share a chart.
 struct Group {
     title: String,
-    columns: Vec<(String, Column)>,
+    columns: Vec<(String, ColumnTitle)>,
 }
 
 /// The charts of a run, in their order.
@@ -80,7 +80,7 @@ fn groups(run: &RunFolder) -> Vec<Group> {
         if high - low <= STILL * most {
             continue;
         }
-        let column = column(name);
+        let column = column_title(name);
         match groups.iter_mut().find(|group| group.title == column.title) {
             Some(group) => group.columns.push((name.clone(), column)),
             None => groups.push(Group { title: column.title.clone(), columns: vec![(name.clone(), column)] }),
@@ -215,7 +215,7 @@ pub(crate) fn file_name(title: &str) -> String {
 }
 
 /// A column as its result is averaged, or through the filter that the scene asks for.
-fn smooth(run: &RunFolder, column: &Column, result: Option<&Quantity>, raw: &Curve, time: &Unit) -> Option<Curve> {
+fn smooth(run: &RunFolder, column: &ColumnTitle, result: Option<Quantity>, raw: &Curve, time: &Unit) -> Option<Curve> {
     let points: Vec<[f64; 2]> = raw.x.iter().zip(&raw.y).map(|(t, v)| [t / time.scale, *v]).collect();
     let (label, smooth) = match run.scene.report.acceleration_cfc.filter(|_| column.si == "g") {
         Some(class) => (format!("filtered, CFC {class}"), phaseless(&points, PASS_OVER_CLASS * class)),
@@ -251,25 +251,28 @@ fn means(points: &[[f64; 2]], window: f64) -> Option<Vec<[f64; 2]>> {
 }
 
 /// The result that a column has; none where the run failed.
-fn quantity<'a>(run: &'a RunFolder, name: &str, column: &Column) -> Option<&'a Quantity> {
+fn quantity(run: &RunFolder, name: &str, column: &ColumnTitle) -> Option<Quantity> {
     let results = &run.record.results;
     match () {
         _ if run.has_failed() => None,
-        _ if name.ends_with(".fy_N_per_m") => results.peak_force_N_per_m.as_ref(),
-        _ if name.ends_with(".ay_m_per_s2") && name.matches('.').count() == 1 => results.peak_acceleration_g.as_ref(),
-        _ if name.ends_with(".p_Pa") => {
-            results.peak_pressure_Pa.as_ref().filter(|_| run.gauge_of_peak() == Some(&column.part))
+        _ if name.ends_with(".fy_N_per_m") => results.get(ResultName::PeakForce),
+        _ if name.ends_with(".ay_m_per_s2") && name.matches('.').count() == 1 => {
+            results.get(ResultName::PeakAcceleration)
         }
-        _ => name.strip_suffix(".stress_Pa").and_then(|panel| results.panels.get(panel)?.peak_stress_Pa.as_ref()),
+        _ if name.ends_with(".p_Pa") => {
+            results.get(ResultName::PeakPressure).filter(|_| run.gauge_of_peak() == Some(&column.part))
+        }
+        _ => name.strip_suffix(".stress_Pa").and_then(|panel| results.of_panel(panel, ResultName::PeakStress)),
     }
 }
 
 /// A result at its place on a curve.
-fn mark(quantity: &Quantity, column: &Column, [time, unit]: [&Unit; 2], ours: &Curve) -> Option<Curve> {
-    let (t, value) = (time.scale * quantity.time_s?, unit.scale * quantity.value?);
+fn mark(quantity: Quantity, column: &ColumnTitle, [time, unit]: [&Unit; 2], ours: &Curve) -> Option<Curve> {
+    let (t, value) =
+        (time.scale * quantity.time_s?, unit.scale * Some(quantity.value).filter(|value| value.is_finite())?);
     let k = ours.x.partition_point(|x| *x < t).min(ours.x.len().checked_sub(1)?);
     let sign = if ours.y[k] < 0.0 { -1.0 } else { 1.0 };
-    let label = format!("result: {}", super::headline::with_band(quantity, column.si));
+    let label = format!("result: {}", super::headline::with_band(&quantity, column.si));
     let paint = Paint { colour: Some(LIMIT), form: None, pale: false };
     Some(Curve::new(label, Mark::Hollow, [[t, sign * value]]).painted(paint))
 }

@@ -3,15 +3,15 @@
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 
+use run::vocabulary::{Quantity, ResultId, Status, Verdict};
 use scene::schema;
 use settings::significant;
 
 use super::charts::{self, Figure};
 use super::flow::{Flow, picture};
 use super::folder::{FolderError, RunFolder};
-use super::headline::{in_words, named, two_digits, with_band};
-use super::quantity::{digits, result, with_unit};
-use super::record::Quantity;
+use super::headline::{two_digits, with_band};
+use super::quantity::{digits, with_unit};
 use super::{figure_blocks, folded, structure};
 use crate::flow_figure::flow_svg;
 use crate::html::page;
@@ -63,16 +63,13 @@ fn names(runs: &[RunFolder]) -> Vec<String> {
 
 fn lead(runs: &[RunFolder], names: &[String], differing: &Differing) -> String {
     let line = |(run, name): (&RunFolder, &String)| {
-        let status = run.record.status.as_str();
-        let (class, words) = match status {
-            "completed" => ("completed", "completed"),
-            "completed_with_doubts" => ("doubtful", "completed with doubts"),
-            "beyond_allowable" => ("failed", "beyond the allowable"),
-            "ruptured" => ("failed", "ended at a rupture"),
-            "failed" => ("failed", "failed"),
-            "interrupted" => ("doubtful", "interrupted"),
-            _ => ("doubtful", "not finished"),
+        let status = run.record.status();
+        let class = match status {
+            Status::Completed => "completed",
+            Status::BeyondAllowable | Status::Ruptured | Status::Failed => "failed",
+            Status::CompletedWithDoubts | Status::Interrupted | Status::NotFinished => "doubtful",
         };
+        let words = status.words();
         format!("<li><b>{}</b> <span class=\"{class}\">{words}</span> · {}</li>", escape(name), escape(run.model()))
     };
     let lines: String = runs.iter().zip(names).map(line).collect();
@@ -85,25 +82,24 @@ fn lead(runs: &[RunFolder], names: &[String], differing: &Differing) -> String {
 
 /// A row for each result, a column for each run, with ratios to the first.
 fn results(runs: &[RunFolder], names: &[String]) -> Block {
-    let all: Vec<_> = runs.iter().map(named).collect();
+    let all: Vec<Vec<_>> = runs.iter().map(|run| run.record.results.named().collect()).collect();
     let mut rows: Vec<Vec<String>> = Vec::new();
-    let mut known: Vec<String> = Vec::new();
-    for (name, _) in all.iter().flatten() {
-        if !known.contains(name) {
-            known.push(name.clone());
+    let mut known: Vec<&ResultId> = Vec::new();
+    for (id, _) in all.iter().flatten() {
+        if !known.contains(&id) {
+            known.push(id);
         }
     }
-    for name in known {
-        let (title, si) = result(&name);
-        let of = |k: usize| all[k].iter().find(|(own, _)| *own == name).map(|(_, quantity)| *quantity);
-        let mut cells = vec![title];
+    for id in known {
+        let of = |k: usize| all[k].iter().find(|(own, _)| own == id).map(|(_, quantity)| *quantity);
+        let mut cells = vec![id.title()];
         for k in 0..runs.len() {
             let Some(quantity) = of(k) else {
                 cells.extend(row(if k == 0 { &["–"] } else { &["–", "–"] }));
                 continue;
             };
             // a line breaks before the verdict only
-            let value = with_band(quantity, si).replace(' ', "\u{a0}");
+            let value = with_band(quantity, id.name.si()).replace(' ', "\u{a0}");
             cells.push(format!("{value}, {}", verdict(quantity)));
             cells.extend((k > 0).then(|| of(0).and_then(|first| ratio(quantity, first)).unwrap_or("–".into())));
         }
@@ -120,20 +116,16 @@ fn results(runs: &[RunFolder], names: &[String]) -> Block {
 
 /// What may be said of a result, in words.
 fn verdict(quantity: &Quantity) -> String {
-    let share = quantity.band.zip(quantity.value).map(|(band, value)| (band / value).abs()).filter(|s| s.is_finite());
-    match share.filter(|share| quantity.verdict == "resolved" && *share > COARSE) {
+    match quantity.share().filter(|share| quantity.verdict == Verdict::Resolved && *share > COARSE) {
         Some(share) => format!("coarse, ± {} %", digits(100.0 * share)),
-        None if quantity.allowed == Some(false) => format!("{}; not allowed", in_words(&quantity.verdict)),
-        None => in_words(&quantity.verdict).into(),
+        None if quantity.allowed == Some(false) => format!("{}; not allowed", quantity.verdict.words()),
+        None => quantity.verdict.words().into(),
     }
 }
 
 /// A result over the first run's, with its band where both have one.
 fn ratio(quantity: &Quantity, first: &Quantity) -> Option<String> {
-    if quantity.is_withheld() || first.is_withheld() {
-        return None;
-    }
-    let (value, over) = (quantity.value?, first.value?);
+    let (value, over) = (quantity.shown()?, first.shown()?);
     let ratio = Some(value / over).filter(|ratio| ratio.is_finite())?;
     let shares = quantity.band.zip(first.band).map(|(band, of_first)| (band / value).abs() + (of_first / over).abs());
     let band =
@@ -323,11 +315,15 @@ mod tests {
 
     #[test]
     fn a_ratio_has_the_bands_of_both_and_a_wide_band_is_coarse() {
+        let (time_s, cutoff_hz, allowed, verdict_of_all) = (None, None, None, Verdict::Resolved);
         let of = |value: f64, band: Option<f64>| Quantity {
-            value: Some(value),
+            value,
             band,
-            verdict: "resolved".into(),
-            ..Quantity::default()
+            time_s,
+            cutoff_hz,
+            raw: value,
+            verdict: verdict_of_all,
+            allowed,
         };
         let (first, second) = (of(10.0, Some(1.0)), of(20.0, Some(1.0)));
         assert_eq!(ratio(&second, &first).as_deref(), Some("2.00\u{a0}±\u{a0}0.30"));

@@ -1,28 +1,29 @@
 //! Doubts and warnings in sentences for the page.
 
+use run::vocabulary::{Doubt, ResultId, Shallow};
+
 use super::folder::RunFolder;
-use super::quantity::{digits, result, with_unit};
+use super::quantity::{digits, with_unit};
 use crate::markup::escape;
 
 /// A doubt with the names of its results in words.
-pub fn in_words(doubt: &str) -> String {
-    match doubt.split_once(": ") {
-        Some((names, why)) => format!("{}: {why}", named(names)),
-        None => doubt.to_string(),
-    }
+pub fn in_words(doubt: &Doubt) -> String {
+    if doubt.about.is_empty() { doubt.why.text.clone() } else { format!("{}: {}", named(&doubt.about), doubt.why.text) }
 }
 
 /// Names of results, as a doubt lists them, in words.
-fn named(names: &str) -> String {
-    let word = |(k, name): (usize, &str)| {
+fn named(names: &[String]) -> String {
+    let word = |(k, name): (usize, &String)| {
         let words = match name.strip_prefix("audit.") {
-            Some(part) => format!("Audit of {part}"),
-            None => result(name).0,
+            Some(part) => Some(format!("Audit of {part}")),
+            None => ResultId::of(name).map(|id| id.title()),
         };
-        let known = words != name;
-        if k > 0 && known { lower(&words) } else { words }
+        match words {
+            Some(words) if k > 0 => lower(&words),
+            words => words.unwrap_or_else(|| name.clone()),
+        }
     };
-    names.split(", ").enumerate().map(word).collect::<Vec<_>>().join(", ")
+    names.iter().enumerate().map(word).collect::<Vec<_>>().join(", ")
 }
 
 /// Words within a sentence: with a small first letter.
@@ -32,60 +33,27 @@ pub(super) fn lower(words: &str) -> String {
 }
 
 /// Doubts in words; those that differ only in how small a draught is become one.
-pub(super) fn merged(doubts: &[String]) -> Vec<String> {
-    let mut groups: Vec<Group<'_>> = Vec::new();
+pub(super) fn merged<'a>(doubts: impl Iterator<Item = &'a Doubt>) -> Vec<String> {
+    let mut groups: Vec<Vec<&Doubt>> = Vec::new();
+    let cure = |doubt: &'a Doubt| doubt.why.shallow.as_ref().map(|shallow| &shallow.cure);
     for doubt in doubts {
-        let shallow = shallow(doubt);
-        let known = shallow.as_ref().and_then(|new| groups.iter_mut().find(|group| group.cure == Some(new.cure)));
-        match (known, shallow) {
-            (Some(group), Some(new)) => {
-                group.names += &format!(", {}", new.names);
-                group.spacings.push(new.spacings);
-            }
-            (None, Some(new)) => groups.push(Group {
-                doubt,
-                names: new.names.to_string(),
-                cure: Some(new.cure),
-                spacings: vec![new.spacings],
-            }),
-            (_, None) => groups.push(Group { doubt, names: String::new(), cure: None, spacings: Vec::new() }),
+        match groups.iter_mut().find(|group| cure(doubt).is_some() && cure(group[0]) == cure(doubt)) {
+            Some(group) => group.push(doubt),
+            None => groups.push(vec![doubt]),
         }
     }
-    groups.iter().map(Group::sentence).collect()
+    groups.iter().map(|group| sentence(group)).collect()
 }
 
-/// Doubts that are told in one sentence.
-struct Group<'a> {
-    doubt: &'a str,
-    names: String,
-    cure: Option<&'a str>,
-    spacings: Vec<f64>,
-}
-
-impl Group<'_> {
-    fn sentence(&self) -> String {
-        let Some(cure) = self.cure.filter(|_| self.spacings.len() > 1) else { return in_words(self.doubt) };
-        let least = self.spacings.iter().copied().fold(f64::INFINITY, f64::min);
-        let most = self.spacings.iter().copied().fold(0.0, f64::max);
-        let names = named(&self.names);
-        let (least, most) = (digits(least), digits(most));
-        let range = if least == most { least } else { format!("{least} to {most}") };
-        format!("{names}: the draught there is {range} spacings; {cure}")
-    }
-}
-
-/// A doubt about a small draught.
-struct Shallow<'a> {
-    names: &'a str,
-    spacings: f64,
-    cure: &'a str,
-}
-
-fn shallow(doubt: &str) -> Option<Shallow<'_>> {
-    let (names, why) = doubt.split_once(": ")?;
-    let (what, cure) = why.split_once("; ")?;
-    let spacings = what.strip_suffix(" spacings").filter(|_| what.contains("draught"))?.rsplit(' ').next()?;
-    Some(Shallow { names, spacings: spacings.parse().ok()?, cure })
+/// Doubts with the same cure, in one sentence.
+fn sentence(group: &[&Doubt]) -> String {
+    let shallow: Vec<&Shallow> = group.iter().filter_map(|doubt| doubt.why.shallow.as_ref()).collect();
+    let [first, _, ..] = &shallow[..] else { return in_words(group[0]) };
+    let spacings = || shallow.iter().map(|shallow| shallow.draught_spacings);
+    let (least, most) = (digits(spacings().fold(f64::INFINITY, f64::min)), digits(spacings().fold(0.0, f64::max)));
+    let range = if least == most { least } else { format!("{least} to {most}") };
+    let about: Vec<String> = group.iter().flat_map(|doubt| doubt.about.clone()).collect();
+    format!("{}: the draught there is {range} spacings; {}", named(&about), first.cure)
 }
 
 /// What the material of a panel above its allowable stress does in the run.
@@ -117,25 +85,28 @@ pub(super) fn html(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
+    use run::vocabulary::Why;
+
     use super::*;
 
     #[test]
-    fn doubts_about_the_same_draught_are_told_once() {
+    fn doubts_about_the_same_draught_are_one_sentence() {
+        let of = |name: &str, spacings: f64| {
+            let cure = "6 are needed: 0.003 m would do for resolution.spacing".to_string();
+            Doubt::about(name, Why::shallow("the peak comes at a draught of", spacings, cure))
+        };
+        let doubts =
+            [of("peak_force_N_per_m", 1.672), of("peak_acceleration_g", 2.036), Doubt::about("plate", "`x` is wrong")];
         let cure = "6 are needed: 0.003 m would do for resolution.spacing";
-        let doubts = [
-            format!("peak_force_N_per_m: the peak comes at a draught of 1.672 spacings; {cure}"),
-            format!("peak_acceleration_g: the peak comes at a draught of 2.036 spacings; {cure}"),
-            "plate: `x` is wrong".to_string(),
-        ];
-        let told = merged(&doubts);
+        let sentences = merged(doubts.iter());
         assert_eq!(
-            told[0],
+            sentences[0],
             format!("Peak force, peak acceleration: the draught there is 1.67 to 2.04 spacings; {cure}")
         );
-        assert_eq!((told.len(), told[1].as_str()), (2, "plate: `x` is wrong"));
-        assert_eq!(html(&told[1]), "plate: <code>x</code> is wrong");
+        assert_eq!((sentences.len(), sentences[1].as_str()), (2, "plate: `x` is wrong"));
+        assert_eq!(html(&sentences[1]), "plate: <code>x</code> is wrong");
         assert_eq!(
-            merged(&doubts[..1])[0],
+            merged(doubts[..1].iter())[0],
             format!("Peak force: the peak comes at a draught of 1.672 spacings; {cure}")
         );
     }

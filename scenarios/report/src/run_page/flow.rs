@@ -1,6 +1,7 @@
 //! The frames of the flow that the page shows: chosen from the log, thinned to a budget.
 
 use run::log::{LogReader, LoggedFrame, Point};
+use run::vocabulary::ResultName;
 use scene::{Scene, Symmetry};
 
 use super::camera::{View, views, whole};
@@ -134,8 +135,8 @@ fn peak(run: &RunFolder) -> Option<(&'static str, f64)> {
         return None;
     }
     let results = &run.record.results;
-    let force = results.peak_force_N_per_m.as_ref().and_then(|force| Some(("peak force", force.time_s?)));
-    let pressure = || results.peak_pressure_Pa.as_ref().and_then(|pressure| Some(("peak pressure", pressure.time_s?)));
+    let force = results.get(ResultName::PeakForce).and_then(|force| Some(("peak force", force.time_s?)));
+    let pressure = || results.get(ResultName::PeakPressure).and_then(|peak| Some(("peak pressure", peak.time_s?)));
     let sampled = || {
         let name = run.curves.columns.iter().find(|name| name.ends_with(".fy_N_per_m"))?;
         let points = run.curves.points(name, [1.0; 2]);

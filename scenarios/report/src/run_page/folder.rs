@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use run::log::LogReader;
+use run::vocabulary::{ResultName, Status};
 use scene::{Scene, SceneError};
 
 use super::record::Record;
@@ -96,17 +97,17 @@ impl RunFolder {
 
     /// True where the run broke down: what it computed is no result.
     pub fn has_failed(&self) -> bool {
-        self.record.status == "failed"
+        self.record.status() == Status::Failed
     }
 
     /// True where the run was ended by its user, or at a rupture: its results are those so far.
     pub fn is_interrupted(&self) -> bool {
-        ["interrupted", "ruptured"].contains(&self.record.status.as_str())
+        matches!(self.record.status(), Status::Interrupted | Status::Ruptured)
     }
 
     /// The gauge whose pressure is the peak pressure among the results.
     pub fn gauge_of_peak(&self) -> Option<&String> {
-        let raw = self.record.results.peak_pressure_Pa.as_ref()?.raw?;
+        let raw = self.record.results.get(ResultName::PeakPressure)?.raw;
         let is_it = |peak: f64| (peak - raw).abs() <= 1e-9 * raw.abs();
         self.record.gauges.iter().find(|(_, gauge)| gauge.peak_pa.is_some_and(is_it)).map(|(name, _)| name)
     }

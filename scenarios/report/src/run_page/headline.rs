@@ -1,15 +1,17 @@
 //! The head of the page: how the run ended, in its colour, and its results.
 
+use run::vocabulary::{Doubt, Named, Quantity, ResultId, ResultName, Results, Status, Verdict};
+
 use super::folder::RunFolder;
-use super::quantity::{Unit, digits, percent, result, with_unit};
-use super::record::{Comparison, Quantity};
+use super::quantity::{Unit, digits, percent, with_unit};
+use super::record::Comparison;
 use super::theories::model_in_words;
 use super::{doubts, references};
 use crate::COARSE;
 use crate::markup::escape;
 
 /// How a page is coloured by the way that the run ended.
-struct Verdict {
+struct Head {
     class: &'static str,
     heading: String,
     reasons: Vec<String>,
@@ -19,7 +21,7 @@ struct Verdict {
 pub(super) fn lead(run: &RunFolder) -> String {
     let (scene, record) = (&run.scene, &run.record);
     let title = if scene.description.is_empty() { &scene.name } else { &scene.description };
-    let Verdict { class, heading, reasons } = verdict(run);
+    let Head { class, heading, reasons } = head(run);
     let items: String = reasons.iter().map(|why| format!("<li>{}</li>", doubts::html(why))).collect();
     let list = if items.is_empty() { String::new() } else { format!("<ul>{items}</ul>") };
     let version = if record.version.is_empty() { String::new() } else { format!(" · splashdown {}", record.version) };
@@ -44,55 +46,36 @@ fn counted(count: usize, what: &str) -> String {
     format!("{count} {what}{}", if count == 1 { "" } else { "s" })
 }
 
-/// What a verdict of `summary.json` means, in words.
-pub fn in_words(verdict: &str) -> &str {
-    match verdict {
-        "resolved" => "resolved",
-        "acoustic" => "depends on the speed of sound",
-        "not_resolved" => "not resolved",
-        "no_band" => "no band known",
-        "beyond_allowable" => "beyond the allowable",
-        other => other,
-    }
-}
-
 /// A number with its band in its unit.
 pub(super) fn with_band(quantity: &Quantity, si: &str) -> String {
-    let Some(value) = quantity.value.filter(|_| !quantity.is_withheld()) else { return "–".into() };
+    let Some(value) = quantity.shown() else { return "–".into() };
     let unit = Unit::of(si, value);
     let band = quantity.band.map_or(String::new(), |band| format!(" ± {}", two_digits(unit.scale * band)));
     let name = if unit.name == "-" { String::new() } else { format!(" {}", unit.name) };
     format!("{}{band}{name}", digits(unit.scale * value))
 }
 
-/// The band as a share of the value.
-fn share(quantity: &Quantity) -> Option<f64> {
-    let (band, value) = (quantity.band?, quantity.value.filter(|_| !quantity.is_withheld())?);
-    Some((band / value).abs()).filter(|share| share.is_finite())
-}
-
 /// A number with its band, also in percent.
 pub(super) fn with_share(quantity: &Quantity, si: &str) -> String {
-    let share = share(quantity).map_or(String::new(), |share| format!(" ({})", percent(share)));
+    let share = quantity.share().map_or(String::new(), |share| format!(" ({})", percent(share)));
     with_band(quantity, si) + &share
 }
 
 /// The share of a resolved result's band, where it is so wide that the result is coarse.
 fn coarse(quantity: &Quantity) -> Option<f64> {
-    share(quantity).filter(|share| *share > COARSE && quantity.verdict == "resolved")
+    quantity.share().filter(|share| *share > COARSE && quantity.verdict == Verdict::Resolved)
 }
 
 /// What may be said of a result, in words.
-pub(super) fn verdict_of(run: &RunFolder, name: &str, quantity: &Quantity) -> String {
+pub(super) fn verdict_of(run: &RunFolder, id: &ResultId, quantity: &Quantity) -> String {
     let words = match coarse(quantity) {
         Some(share) => format!("coarse, ± {}", percent(share)),
-        None if quantity.is_withheld() => format!("{}: its band is as large as itself", in_words(&quantity.verdict)),
-        None => in_words(&quantity.verdict).to_string(),
+        None if quantity.is_withheld() => format!("{}: its band is as large as itself", quantity.verdict.words()),
+        None => quantity.verdict.words().to_string(),
     };
-    let told = |panel: &str| run.record.doubts.iter().any(|doubt| doubt.starts_with(&format!("{panel}: ")));
-    let of_panel = name.rsplit_once('.').map(|(panel, _)| panel);
-    match of_panel {
-        Some(panel) if ["not_resolved", "acoustic"].contains(&quantity.verdict.as_str()) && !told(panel) => {
+    let doubted = |panel: &String| run.record.doubts.iter().any(|doubt| doubt.about == [panel.clone()]);
+    match &id.panel {
+        Some(panel) if !quantity.verdict.is_sound() && !doubted(panel) => {
             format!("{words}, as the force")
         }
         _ if run.is_interrupted() && quantity.time_s.is_none() => "not complete".to_string(),
@@ -108,11 +91,10 @@ fn end(run: &RunFolder) -> String {
 }
 
 /// A result's name in words, with its gauge.
-pub(super) fn title(run: &RunFolder, name: &str) -> (String, &'static str) {
-    let (words, si) = result(name);
-    match run.gauge_of_peak().filter(|_| name == "peak_pressure_Pa") {
-        Some(gauge) => (format!("{words} at {gauge}"), si),
-        None => (words, si),
+pub(super) fn title(run: &RunFolder, id: &ResultId) -> String {
+    match run.gauge_of_peak().filter(|_| id.name == ResultName::PeakPressure) {
+        Some(gauge) => format!("{} at {gauge}", id.title()),
+        None => id.title(),
     }
 }
 
@@ -120,25 +102,6 @@ pub(super) fn title(run: &RunFolder, name: &str) -> (String, &'static str) {
 pub fn two_digits(value: f64) -> String {
     let places = (1.0 - value.abs().max(1e-300).log10().floor()).clamp(0.0, 6.0) as usize;
     format!("{value:.places$}")
-}
-
-/// Results with their names in the summary.
-pub(crate) fn named(run: &RunFolder) -> Vec<(String, &Quantity)> {
-    let results = &run.record.results;
-    let own = [
-        ("peak_force_N_per_m", &results.peak_force_N_per_m),
-        ("peak_acceleration_g", &results.peak_acceleration_g),
-        ("peak_pressure_Pa", &results.peak_pressure_Pa),
-        ("impulse_N_s_per_m", &results.impulse_N_s_per_m),
-    ];
-    let own = own.into_iter().filter_map(|(name, quantity)| Some((name.to_string(), quantity.as_ref()?)));
-    let of_panels = results.panels.iter().flat_map(|(name, panel)| {
-        let stress = panel.peak_stress_Pa.as_ref().map(|stress| (format!("{name}.peak_stress_Pa"), stress));
-        let factor = panel.reserve_factor.as_ref().map(|factor| (format!("{name}.reserve_factor"), factor));
-        let strain = panel.peak_strain.as_ref().map(|strain| (format!("{name}.peak_strain"), strain));
-        stress.into_iter().chain(strain).chain(factor)
-    });
-    own.chain(of_panels).collect()
 }
 
 /// The allowable stress of a panel [Pa].
@@ -153,88 +116,83 @@ fn rupture_strain(run: &RunFolder, panel: &str) -> Option<f64> {
     panels.filter(|own| own.name == panel).find_map(|own| own.rupture_strain)
 }
 
-/// Panels that are beyond their limits, in sentences.
-fn overstressed(run: &RunFolder) -> Vec<String> {
+/// Panels that are beyond their limits, each with a sentence.
+fn overstressed(run: &RunFolder) -> Vec<(String, String)> {
     let at =
         |quantity: &Quantity| quantity.time_s.map_or(String::new(), |time| format!(" at {}", with_unit(time, "s")));
-    let of = |(name, panel): (&String, &super::record::PanelResults)| {
-        let stress = panel.peak_stress_Pa.as_ref().filter(|stress| stress.allowed == Some(false))?;
-        let reserve = panel.reserve_factor.as_ref().filter(|factor| !factor.is_withheld());
-        let factor = reserve.and_then(|factor| factor.value);
+    let of = |(name, panel): (&String, &Named)| {
+        let stress = panel.get(&ResultName::PeakStress).filter(|stress| stress.allowed == Some(false))?;
+        let factor = panel.get(&ResultName::ReserveFactor).and_then(Quantity::shown);
         let factor = factor.map_or(String::new(), |factor| format!(" (reserve factor {})", digits(factor)));
-        let known = match stress.verdict.as_str() {
-            "resolved" | "no_band" => String::new(),
-            verdict => format!(", {}", in_words(verdict)),
-        };
-        if let Some(strain) = &panel.peak_strain {
+        let known = if stress.verdict.is_sound() { String::new() } else { format!(", {}", stress.verdict.words()) };
+        if let Some(strain) = panel.get(&ResultName::PeakStrain) {
             let limit = rupture_strain(run, name);
             let limit =
                 limit.map_or("no rupture_strain is given".into(), |v| format!("{} is allowed", with_unit(v, "-")));
-            let value = with_unit(strain.value?, "-");
+            let value = with_unit(strain.value, "-");
             return Some(format!("{name} yields, to a strain of {value}{}{known}; {limit}{factor}", at(strain)));
         }
         let of_allowed = allowable(run, name).map_or(String::new(), |v| format!("; {} is allowed", with_unit(v, "Pa")));
-        let value = if stress.is_withheld() { "a stress".into() } else { with_unit(stress.value?, "Pa") };
+        let value = if stress.is_withheld() { "a stress".into() } else { with_unit(stress.value, "Pa") };
         Some(format!("{name} reaches {value}{}{known}{of_allowed}{factor}", at(stress)))
     };
-    run.record.results.panels.iter().filter_map(of).collect()
+    let beyond = run.record.results.panels.iter();
+    beyond.filter_map(|panel| Some((panel.0.clone(), of(panel)?))).collect()
 }
 
-fn verdict(run: &RunFolder) -> Verdict {
+fn head(run: &RunFolder) -> Head {
     let record = &run.record;
     let overstressed = overstressed(run);
-    let other = |doubt: &&String| {
-        overstressed.is_empty() || !(doubt.contains("times the allowable") || doubt.contains("it yields, "))
-    };
-    let kept: Vec<String> = record.doubts.iter().filter(other).cloned().collect();
+    let other = |doubt: &&Doubt| overstressed.is_empty() || !doubt.why.beyond_limit;
     // what a run computed before it broke down is no result to be doubted
-    let mut reasons = if run.has_failed() { Vec::new() } else { doubts::merged(&kept) };
-    let (class, heading) = match record.status.as_str() {
-        "beyond_allowable" => {
-            let panels = record.results.panels.keys();
-            let material = panels.filter(|name| overstressed.iter().any(|told| told.starts_with(name.as_str())));
-            reasons.extend(material.filter_map(|name| doubts::of_material(run, name)));
-            let what = if overstressed.iter().any(|told| told.contains(" yields, to")) { "Panel" } else { "Stress" };
-            ("failed", format!("{what} beyond the allowable: {}.", overstressed.join("; ")))
+    let mut reasons = if run.has_failed() { Vec::new() } else { doubts::merged(record.doubts.iter().filter(other)) };
+    let (class, heading) = match record.status() {
+        Status::BeyondAllowable => {
+            reasons.extend(overstressed.iter().filter_map(|(panel, _)| doubts::of_material(run, panel)));
+            let yields =
+                |(panel, _): &(String, String)| record.results.of_panel(panel, ResultName::PeakStrain).is_some();
+            let what = if overstressed.iter().any(yields) { "Panel" } else { "Stress" };
+            let sentences: Vec<String> = overstressed.iter().map(|(_, sentence)| sentence.clone()).collect();
+            ("failed", format!("{what} beyond the allowable: {}.", sentences.join("; ")))
         }
-        "ruptured" => {
+        Status::Ruptured => {
             reasons.push("The surface stays closed to the water: what comes after a rupture is not computed.".into());
             ("failed", format!("Rupture: {}.", record.message.as_deref().unwrap_or_default()))
         }
-        "completed" => completed(run, &mut reasons),
-        "completed_with_doubts" => ("doubtful", "Completed with doubts.".to_string()),
-        "failed" => {
+        Status::Completed => completed(run, &mut reasons),
+        Status::CompletedWithDoubts => ("doubtful", "Completed with doubts.".to_string()),
+        Status::Failed => {
             reasons.push(
                 "The run has no results: its curves and pictures end with the failure, and show how it came.".into(),
             );
             let message = times_in_words(record.message.as_deref().unwrap_or_default());
             ("failed", format!("Failed. {}.", message.trim_end_matches('.')))
         }
-        "interrupted" => {
+        Status::Interrupted => {
             if run.path.join("checkpoint.bin").is_file() {
                 reasons.push(format!("To go on: `splashdown resume {}`", run.path.display()));
             }
             ("doubtful", format!("Interrupted at {}. The results are those so far.", end(run)))
         }
-        _ => ("doubtful", "Not finished.".to_string()),
+        Status::NotFinished => ("doubtful", "Not finished.".to_string()),
     };
-    if !run.has_failed() && record.status != "beyond_allowable" {
+    if !run.has_failed() && record.status() != Status::BeyondAllowable {
         let yielded = record.panels.iter().filter(|(_, panel)| panel.yielded);
         reasons.extend(yielded.filter_map(|(name, _)| doubts::of_material(run, name)));
     }
     reasons.extend(study(run));
     reasons.extend(run.gaps.iter().cloned());
-    Verdict { class, heading, reasons }
+    Head { class, heading, reasons }
 }
 
 /// Of a run that completed without doubts: what a reader should know nevertheless.
 fn completed(run: &RunFolder, reasons: &mut Vec<String>) -> (&'static str, String) {
-    let named = named(run);
+    let results = &run.record.results;
     let mut parts = vec!["No doubts".to_string()];
     let titles = |is: &dyn Fn(&Quantity) -> bool| -> Vec<String> {
-        named.iter().filter(|(_, q)| is(q)).map(|(name, _)| doubts::lower(&title(run, name).0)).collect()
+        results.named().filter(|(_, q)| is(q)).map(|(id, _)| doubts::lower(&title(run, &id))).collect()
     };
-    let (wide, unknown) = (titles(&|q| coarse(q).is_some()), titles(&|q| q.verdict == "no_band"));
+    let (wide, unknown) = (titles(&|q| coarse(q).is_some()), titles(&|q| q.verdict == Verdict::NoBand));
     if !wide.is_empty() {
         parts.push(format!("coarse, with bands above {}: {}", percent(COARSE), wide.join(", ")));
     }
@@ -289,17 +247,18 @@ fn times_in_words(message: &str) -> String {
 
 /// A card for each result; none where the run failed.
 fn cards(run: &RunFolder) -> String {
-    let named = if run.has_failed() { Vec::new() } else { named(run) };
-    let reserve = |panel: &str| named.iter().find(|(name, _)| name == &format!("{panel}.reserve_factor"));
+    let none = Results::default();
+    let results = if run.has_failed() { &none } else { &run.record.results };
     let mut html = String::new();
-    for (name, quantity) in named.iter().filter(|(name, _)| !name.ends_with(".reserve_factor")) {
-        let Some(value) = quantity.value else { continue };
-        let (title, si) = title(run, name);
-        let unit = Unit::of(si, value);
+    for (id, quantity) in results.named().filter(|(id, _)| id.name != ResultName::ReserveFactor) {
+        if !quantity.value.is_finite() {
+            continue;
+        }
+        let unit = Unit::of(id.name.si(), quantity.value);
         let band = match quantity.band {
             Some(_) if quantity.is_withheld() => "the band is as large as the value".into(),
             Some(band) => {
-                let share = share(quantity).map_or(String::new(), |share| format!(" ({})", percent(share)));
+                let share = quantity.share().map_or(String::new(), |share| format!(" ({})", percent(share)));
                 format!("± {} {}{share}", two_digits(unit.scale * band), unit.name)
             }
             None => "no band".into(),
@@ -311,29 +270,30 @@ fn cards(run: &RunFolder) -> String {
         };
         let mut lines = vec![format!("{band}, {time}")];
         let yielded = |panel: &&str| run.record.panels.get(*panel).is_some_and(|own| own.yielded);
-        let of_stress = name.strip_suffix(".peak_stress_Pa").filter(|panel| !yielded(panel));
-        let panel = of_stress.or(name.strip_suffix(".peak_strain")).unwrap_or_default();
-        if let Some((_, factor)) = reserve(panel).filter(|_| !quantity.is_withheld()) {
+        let of_stress = id.of_panel(ResultName::PeakStress).filter(|panel| !yielded(panel));
+        let panel = of_stress.or(id.of_panel(ResultName::PeakStrain)).unwrap_or_default();
+        let factor = results.of_panel(panel, ResultName::ReserveFactor);
+        if let Some(factor) = factor.filter(|_| !quantity.is_withheld()) {
             let limit = if yielded(&panel) {
                 rupture_strain(run, panel).zip(Some("-"))
             } else {
                 allowable(run, panel).zip(Some("Pa"))
             };
             let allowed = limit.map_or(String::new(), |(v, si)| format!(", {} allowed", with_unit(v, si)));
-            lines.push(format!("reserve factor {}{allowed}", digits(factor.value.unwrap_or(f64::NAN))));
+            lines.push(format!("reserve factor {}{allowed}", digits(factor.value)));
         }
-        let class = match quantity.verdict.as_str() {
-            "resolved" if coarse(quantity).is_none() && !run.is_interrupted() => "completed",
+        let class = match quantity.verdict {
+            Verdict::Resolved if coarse(quantity).is_none() && !run.is_interrupted() => "completed",
             _ => "doubtful",
         };
         let class = if quantity.allowed == Some(false) { "failed" } else { class };
         let details: String = lines.iter().map(|line| format!("<p>{}</p>", escape(line))).collect();
         html += &format!(
             "<li class=\"{class}\"><h3>{}</h3><p class=\"value\">{} <small>{}</small></p>{details}<p class=\"chip\">{}</p></li>\n",
-            escape(&title),
-            if quantity.is_withheld() { "–".into() } else { digits(unit.scale * value) },
+            escape(&title(run, &id)),
+            if quantity.is_withheld() { "–".into() } else { digits(unit.scale * quantity.value) },
             escape(unit.name.trim_matches('-')),
-            escape(&verdict_of(run, name, quantity))
+            escape(&verdict_of(run, &id, quantity))
         );
     }
     if html.is_empty() { html } else { format!("<ul class=\"cards\">\n{html}</ul>\n") }
@@ -352,12 +312,8 @@ mod tests {
 
     #[test]
     fn a_wide_band_is_coarse() {
-        let with = |band: f64| Quantity {
-            value: Some(-100.0),
-            band: Some(band),
-            verdict: "resolved".into(),
-            ..Quantity::default()
-        };
+        let (time_s, cutoff_hz, allowed, raw, verdict) = (None, None, None, -100.0, Verdict::Resolved);
+        let with = |band: f64| Quantity { value: -100.0, band: Some(band), time_s, cutoff_hz, raw, verdict, allowed };
         assert_eq!((coarse(&with(29.0)), coarse(&with(61.0))), (None, Some(0.61)));
         assert_eq!(with_share(&with(61.0), "Pa"), "−100 ± 61 Pa (61 %)");
     }

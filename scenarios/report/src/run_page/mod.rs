@@ -31,7 +31,7 @@ use crate::{Block, chart_svg::untitled_svg, html::page};
 
 pub use comparison::compare;
 pub use figures::{FigureError, write_figures};
-pub use headline::{in_words, two_digits};
+pub use headline::two_digits;
 
 /// The page of the run in a folder.
 ///

@@ -5,17 +5,18 @@
 
 use std::collections::BTreeMap;
 
-use run::results::{BandwidthBy, is_withheld};
+use run::vocabulary::{Doubts, Results, Status};
 use serde::Deserialize;
 
 /// A summary, as far as the page shows it; names and units are those of [`Summary`](run::summary::Summary).
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(default)]
 pub(crate) struct Record {
-    pub status: String,
+    pub status: Option<Status>,
     pub message: Option<String>,
     pub results: Results,
-    pub doubts: Vec<String>,
+    #[serde(flatten)]
+    pub doubts: Doubts,
     pub warnings: Vec<String>,
     pub model: String,
     pub choice: Option<String>,
@@ -42,44 +43,10 @@ pub(crate) struct Record {
     pub acceleration_filtered: Option<Filtered>,
 }
 
-/// The results, in their order.
-#[derive(Clone, Debug, Default, Deserialize)]
-#[serde(default)]
-#[allow(non_snake_case)]
-pub(crate) struct Results {
-    pub peak_force_N_per_m: Option<Quantity>,
-    pub peak_acceleration_g: Option<Quantity>,
-    pub peak_pressure_Pa: Option<Quantity>,
-    pub impulse_N_s_per_m: Option<Quantity>,
-    pub bandwidth_by: Option<BandwidthBy>,
-    pub panels: BTreeMap<String, PanelResults>,
-}
-
-#[derive(Clone, Debug, Default, Deserialize)]
-#[serde(default)]
-#[allow(non_snake_case)]
-pub(crate) struct PanelResults {
-    pub peak_stress_Pa: Option<Quantity>,
-    pub peak_strain: Option<Quantity>,
-    pub reserve_factor: Option<Quantity>,
-}
-
-#[derive(Clone, Debug, Default, Deserialize)]
-#[serde(default)]
-pub(crate) struct Quantity {
-    pub value: Option<f64>,
-    pub time_s: Option<f64>,
-    pub band: Option<f64>,
-    pub cutoff_hz: Option<f64>,
-    pub raw: Option<f64>,
-    pub verdict: String,
-    pub allowed: Option<bool>,
-}
-
-impl Quantity {
-    /// True for a number that tells nothing: its band is as large as itself.
-    pub fn is_withheld(&self) -> bool {
-        self.value.is_some_and(|value| is_withheld(value, self.band))
+impl Record {
+    /// How the run ended.
+    pub fn status(&self) -> Status {
+        self.status.unwrap_or(Status::NotFinished)
     }
 }
 

@@ -1,10 +1,11 @@
 //! What a run is compared with: names of references, and the table of comparisons.
 
+use run::vocabulary::{ColumnTitle, ResultId, ResultName, column_title};
 use scene::reference::Table as ReferenceTable;
 use scene::{Compare, Norm};
 
 use super::folder::RunFolder;
-use super::quantity::{Column, Unit, column, digits, percent, with_unit};
+use super::quantity::{Unit, digits, percent, with_unit};
 use super::record::Comparison;
 use crate::{Block, Table};
 
@@ -98,7 +99,7 @@ fn quantity(asked: &Compare) -> String {
 }
 
 /// A column in words, with its place.
-pub(super) fn in_full(column: &Column) -> String {
+pub(super) fn in_full(column: &ColumnTitle) -> String {
     match column.part.as_str() {
         "" => column.title.clone(),
         gauge if column.title == "Pressure at the gauges" => format!("Pressure at {gauge}"),
@@ -108,7 +109,7 @@ pub(super) fn in_full(column: &Column) -> String {
 
 /// The cells of a comparison with a curve, but for the verdict.
 fn of_curve(run: &RunFolder, asked: &Compare, made: &Comparison) -> Vec<String> {
-    let column = column(&asked.quantity);
+    let column = column_title(&asked.quantity);
     // a factor other than a sign makes the numbers dimensionless
     let plain = asked.scale.abs() == 1.0;
     let (si, scale) = if plain { (column.si, column.scale) } else { ("-", 1.0) };
@@ -170,11 +171,11 @@ pub fn in_words(path: &str) -> String {
         "similarity.cp_max" => "Largest pressure coefficient".into(),
         "similarity.profile_error" => "Error of the pressure profile".into(),
         "similarity.cp_noise" => "Noise of the pressure coefficient".into(),
-        "results.peak_force_N_per_m.value" => "Peak force [N/m]".into(),
-        "results.peak_acceleration_g.value" => "Peak acceleration [g]".into(),
-        "results.peak_pressure_Pa.value" => "Peak pressure [Pa]".into(),
-        "results.impulse_N_s_per_m.value" => "Impulse [N s/m]".into(),
-        _ => path.into(),
+        other => {
+            let result =
+                other.strip_prefix("results.").and_then(|rest| rest.strip_suffix(".value")).and_then(ResultName::of);
+            result.map_or(path.into(), |name| format!("{} [{}]", ResultId { panel: None, name }.title(), name.si()))
+        }
     }
 }
 

@@ -3,7 +3,7 @@
 use sph_core::Phase;
 
 use super::folder::RunFolder;
-use super::headline::{named, title, verdict_of, with_share};
+use super::headline::{title, verdict_of, with_share};
 use super::quantity::{digits, five_digits, percent, with_unit};
 use super::record::{Compressibility, Record};
 use super::references;
@@ -83,17 +83,17 @@ pub(super) fn results_section(run: &RunFolder) -> Vec<Block> {
     if run.has_failed() {
         return Vec::new();
     }
-    let results = named(run);
-    let rows = results.iter().map(|(name, q)| {
-        let (title, si) = title(run, name);
+    let results = &run.record.results;
+    let rows = results.named().map(|(id, q)| {
+        let si = id.name.si();
         vec![
-            title,
+            title(run, &id),
             with_share(q, si),
             unit(q.time_s, "s"),
             q.cutoff_hz.map_or("–".into(), |f| format!("{f:.0} Hz")),
-            verdict_of(run, name, q),
+            verdict_of(run, &id, q),
             // an integral, and a stress, are not averaged
-            q.cutoff_hz.map_or("–".into(), |_| unit(q.raw, si)),
+            q.cutoff_hz.map_or("–".into(), |_| with_unit(q.raw, si)),
         ]
     });
     let mut rows: Vec<Vec<String>> = rows.collect();
@@ -116,7 +116,7 @@ pub(super) fn results_section(run: &RunFolder) -> Vec<Block> {
         ),
         None => String::new(),
     };
-    if results.iter().any(|(name, _)| name.ends_with(".peak_stress_Pa")) {
+    if !results.panels.is_empty() {
         text += " A stress is the largest of every step, for a structure averages by itself.";
     }
     let head = ["result", "value ± band", "at", "averaged below", "verdict", "single step"];

@@ -15,7 +15,7 @@ use crate::observers::ObserveError;
 use crate::options::{Outcome, Page, RunOptions};
 use crate::recorder::{Observed, Recorder};
 use crate::recorder_state::Mark;
-use crate::summary::Status;
+use crate::vocabulary::Status;
 
 /// Largest share by which the speed at contact may differ from the expected one [-].
 const MOST_UNEXPECTED: f64 = 0.1;

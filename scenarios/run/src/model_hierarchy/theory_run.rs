@@ -11,8 +11,9 @@ use crate::compare::{self, ReferenceCurve};
 use crate::error_bar::{ErrorBar, ErrorBars};
 use crate::log::{BodyView, Frame, Logged};
 use crate::observers::{ObserveError, Series, SimilarityResult, body_values, create_log, mean_and_deviation};
-use crate::results::{Extreme, Quantity, Results, RunningIntegral, STANDARD_GRAVITY, Verdict};
+use crate::results::{Extreme, RunningIntegral, STANDARD_GRAVITY};
 use crate::summary::{Log, Peak, Summary};
+use crate::vocabulary::{Quantity, ResultName, Results, Verdict};
 use crate::{Outcome, RunError, RunOptions};
 
 /// Least pressure in the rows beside a peak that they follow, over it [-]: it is then within about 1 % of the largest between rows.
@@ -166,14 +167,14 @@ fn results(body: &Body, theory: &Theory, bars: &ErrorBars) -> Results {
     let impulse = x.hypot(y);
     let gauges = bars.iter().filter(|(path, _)| path.ends_with(".p_Pa/value"));
     let pressure = gauges.max_by(|(_, a), (_, b)| a.value.total_cmp(&b.value));
-    Results {
-        bandwidth_by: None,
-        peak_force_N_per_m: peak(forces.largest(), 0.0),
-        peak_acceleration_g: peak(accelerations.largest(), 1.0).filter(|_| free),
-        peak_pressure_Pa: pressure.and_then(|(_, bar)| quantity(bar.value, None, Some(bar.band))),
-        impulse_N_s_per_m: quantity(impulse, None, of_impulse.map(|share| share * impulse)),
-        panels: Default::default(),
-    }
+    let all = [
+        (ResultName::PeakForce, peak(forces.largest(), 0.0)),
+        (ResultName::PeakAcceleration, peak(accelerations.largest(), 1.0).filter(|_| free)),
+        (ResultName::PeakPressure, pressure.and_then(|(_, bar)| quantity(bar.value, None, Some(bar.band)))),
+        (ResultName::Impulse, quantity(impulse, None, of_impulse.map(|share| share * impulse))),
+    ];
+    let body = all.into_iter().filter_map(|(name, quantity)| Some((name, quantity?))).collect();
+    Results { body, ..Results::default() }
 }
 
 /// Poses of the body, and its curves.

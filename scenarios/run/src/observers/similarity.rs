@@ -13,6 +13,7 @@ use water_entry::keel::{KeelLaw, KeelPressure, LARGEST_SHARE};
 
 use super::face_profile::{length_near_peak, noise, peak_place};
 use super::{Frame, ObserveError, Observer, mean_and_deviation};
+use crate::vocabulary::Doubt;
 
 /// Points along the face, in similarity coordinates.
 const POINTS: usize = 400;
@@ -71,8 +72,8 @@ pub struct SimilarityResult {
 
 impl SimilarityResult {
     /// Why the largest pressure is not resolved.
-    pub(crate) fn doubt(&self) -> Option<String> {
-        self.cp_max_unresolved.as_ref().map(|why| format!("similarity.cp_max: {why}"))
+    pub(crate) fn doubt(&self) -> Option<Doubt> {
+        self.cp_max_unresolved.as_ref().map(|why| Doubt::about("similarity.cp_max", why.as_str()))
     }
 }
 

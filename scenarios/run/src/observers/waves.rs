@@ -8,6 +8,7 @@ use settings::significant;
 use water_entry::waves::separation::{Amplitude, separate};
 
 use super::series::Series;
+use crate::vocabulary::Doubt;
 
 /// Periods at the end of the run over which harmonics are taken.
 const PERIODS: f64 = 4.0;
@@ -54,9 +55,9 @@ pub struct WaveGauge {
 const GROWS: f64 = 0.01;
 
 /// Why the waves of a run are unlikely: it ended early, or they grow on their way, which nothing makes them do.
-pub(crate) fn unlikely_waves(scene: &Scene, series: &Series) -> Vec<String> {
-    let early = waves_end_early(scene).map(|why| format!("waves: {why}"));
-    early.into_iter().chain(series.waves(scene).and_then(|waves| waves.grow())).collect()
+pub(crate) fn unlikely_waves(scene: &Scene, series: &Series) -> Vec<Doubt> {
+    let growing = series.waves(scene).and_then(|waves| waves.grow());
+    waves_end_early(scene).into_iter().chain(growing).map(|why| Doubt::about("waves", why)).collect()
 }
 
 impl Waves {
@@ -64,7 +65,7 @@ impl Waves {
     fn grow(&self) -> Option<String> {
         let growth = self.decay_per_length.map(|decay| -decay).filter(|growth| *growth > GROWS)?;
         Some(format!(
-            "waves: their height grows by {} % in a wavelength along the gauges, and regular waves lose height: waves that come back, a gauge on \
+            "their height grows by {} % in a wavelength along the gauges, and regular waves lose height: waves that come back, a gauge on \
              the beach or too short a run may be why",
             significant(100.0 * growth)
         ))

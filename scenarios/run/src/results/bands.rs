@@ -3,6 +3,8 @@
 use scene::{Bottom, Entry, LEAST_DRAUGHT, known_compressibility_error};
 use settings::significant;
 
+use crate::vocabulary::Why;
+
 /// Band of a peak force times its draught in spacings, weakly compressible and incompressible, shares of the force [-].
 const FORCE_BAND: [f64; 2] = [0.7, 1.0];
 /// The least band of a peak force, a share of it [-].
@@ -20,13 +22,13 @@ const WIDEST: f64 = 0.4;
 const ADMITTED: f64 = 0.01;
 
 /// Share of a force that compressibility takes beyond that, or why it is not known; none where water is incompressible [-].
-pub(super) fn lost_beyond(sound: Option<f64>, entry: &Entry) -> Result<f64, String> {
+pub(super) fn lost_beyond(sound: Option<f64>, entry: &Entry) -> Result<f64, Why> {
     let mach = sound.map_or(0.0, |sound| entry.root_speed() / sound);
     let lost = known_compressibility_error(mach, 1.0).ok_or_else(|| {
-        format!(
+        Why::from(format!(
             "the spray root starts at Mach {}: what compressibility takes of the force is known up to 0.3",
             significant(mach)
-        )
+        ))
     })?;
     Ok((lost - ADMITTED).max(0.0))
 }
@@ -45,26 +47,24 @@ impl Depth {
     }
 
     /// Share of a force in its band, or why it is not resolved.
-    pub fn force_share(self, entry: &Entry) -> Result<f64, String> {
+    pub fn force_share(self, entry: &Entry) -> Result<f64, Why> {
         if self.spacings() < LEAST_DRAUGHT {
             // where theory has it deeper, the run's peak is one of first contact
             let cure = (entry.peak_draught / LEAST_DRAUGHT).min(0.5 * self.spacing);
-            let (deep, cure) = (significant(self.spacings().max(0.0)), advice(cure));
-            return Err(format!("the peak comes at a draught of {deep} spacings; {LEAST_DRAUGHT} are needed{cure}"));
+            let cure = format!("{LEAST_DRAUGHT} are needed{}", advice(cure));
+            return Err(Why::shallow("the peak comes at a draught of", self.spacings().max(0.0), cure));
         }
         let at_one_spacing = FORCE_BAND[usize::from(self.incompressible)];
         self.within_widest(((at_one_spacing + self.thin_tip(entry)) / self.spacings()).max(LEAST_FORCE_BAND))
     }
 
     /// Share of an impulse in its band, or why it is not resolved; of the largest draught of the run.
-    pub fn impulse_share(self, entry: &Entry) -> Result<f64, String> {
+    pub fn impulse_share(self, entry: &Entry) -> Result<f64, Why> {
         let round = matches!(entry.bottom, Bottom::Arc { .. });
         let least = if round { self.draught } else { self.draught.min(entry.peak_draught) };
         if least < LEAST_DRAUGHT * self.spacing {
-            let (deep, cure) = (significant(least / self.spacing), advice(least / LEAST_DRAUGHT));
-            return Err(format!(
-                "the draught at the end or at the largest force is {deep} spacings; {LEAST_DRAUGHT} are needed{cure}"
-            ));
+            let cure = format!("{LEAST_DRAUGHT} are needed{}", advice(least / LEAST_DRAUGHT));
+            return Err(Why::shallow("the draught at the end or at the largest force is", least / self.spacing, cure));
         }
         let solver = usize::from(self.incompressible);
         let at_one_spacing = IMPULSE_BAND[usize::from(round)][solver];
@@ -72,7 +72,7 @@ impl Depth {
         self.within_widest(share.max(LEAST_IMPULSE_BAND[solver]))
     }
 
-    fn within_widest(self, share: f64) -> Result<f64, String> {
+    fn within_widest(self, share: f64) -> Result<f64, Why> {
         let why = || {
             format!(
                 "its band is {} %, because the draught is small or the tip of a steep wedge thinner than the kernel: {} m would do for \
@@ -81,7 +81,7 @@ impl Depth {
                 significant(self.spacing * WIDEST / share)
             )
         };
-        if share > WIDEST { Err(why()) } else { Ok(share) }
+        if share > WIDEST { Err(why().into()) } else { Ok(share) }
     }
 
     /// Share of a force or of a pressure that the tip of a steep wedge adds.
@@ -137,12 +137,12 @@ mod tests {
         assert!(
             at(1.0, true)
                 .impulse_share(&entry(75.0))
-                .is_err_and(|why| why.contains("m would do for resolution.spacing"))
+                .is_err_and(|why| why.text.contains("m would do for resolution.spacing"))
         );
         assert!(at(0.5, false).force_share(&entry(30.0)).is_ok_and(|share| (share - 0.07).abs() < 1e-12));
         // an oblique drop of 31 degrees at 9 spacings: 10.7 % below that at a third of its spacing
         assert!(at(0.45, true).force_share(&entry(31.0)).is_ok_and(|share| share > 0.107));
-        assert!(at(0.2, false).impulse_share(&entry(30.0)).is_err_and(|why| why.contains("4 spacings")));
-        assert!(at(0.0, false).impulse_share(&entry(30.0)).is_err_and(|why| why.ends_with("6 are needed")));
+        assert!(at(0.2, false).impulse_share(&entry(30.0)).is_err_and(|why| why.text.contains("4 spacings")));
+        assert!(at(0.0, false).impulse_share(&entry(30.0)).is_err_and(|why| why.text.ends_with("6 are needed")));
     }
 }

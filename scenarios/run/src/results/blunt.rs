@@ -3,9 +3,10 @@
 use scene::{Entry, FLAT_CONTACT, LEAST_GAP, LEAST_HALF_BREADTH, START_GAP};
 use settings::significant;
 
+use super::Finding;
 use super::judge::{Curves, Judge};
 use super::running_integral::Extreme;
-use super::{Finding, Verdict};
+use crate::vocabulary::Verdict;
 
 /// A round bottom's peak needs an averaging time of so many R V/c₀² (GE20) [-].
 const ACOUSTIC_TIMES: f64 = 10.0;
@@ -21,13 +22,13 @@ impl Judge {
     pub(super) fn flat_finding(&self, curves: &Curves, entry: &Entry, peak: Extreme) -> Finding {
         let spacings = entry.cushion.map_or(0.0, |air| air.half_breadth / self.spacing);
         match self.air {
-            None => (Verdict::Acoustic, None, Some(FLAT_CONTACT.to_string())),
+            None => (Verdict::Acoustic, None, Some(FLAT_CONTACT.into())),
             Some(_) if spacings < LEAST_HALF_BREADTH => {
                 let why = format!(
                     "half the flat breadth is {} spacings; {LEAST_HALF_BREADTH} are needed",
                     significant(spacings)
                 );
-                (Verdict::NotResolved, None, Some(why))
+                (Verdict::NotResolved, None, Some(why.into()))
             }
             Some([_, end]) => {
                 let contact = curves.draught.iter().find(|[_, draught]| *draught > 0.0).map_or(0.0, |[time, _]| *time);
@@ -35,7 +36,7 @@ impl Judge {
                     return (Verdict::Resolved, Some(AIR_BAND), None);
                 }
                 let why = "it comes after the pulse of the air under the flat bottom: an echo of the floor or the walls, or another contact";
-                (Verdict::Acoustic, None, Some(why.to_string()))
+                (Verdict::Acoustic, None, Some(why.into()))
             }
         }
     }
@@ -49,7 +50,7 @@ impl Judge {
                  start the body {} m above",
                 significant(START_GAP * self.spacing)
             );
-            return (Verdict::Acoustic, None, Some(why));
+            return (Verdict::Acoustic, None, Some(why.into()));
         }
         let least = self.sound_speed.map_or(0.0, |c| ACOUSTIC_TIMES * radius * entry.speed / (c * c));
         if window < least {
@@ -58,7 +59,7 @@ impl Judge {
                 significant(window),
                 significant(least)
             );
-            return (Verdict::Acoustic, None, Some(why));
+            return (Verdict::Acoustic, None, Some(why.into()));
         }
         let spacings = entry.peak_draught / self.spacing;
         if spacings < LEAST_ROUND {
@@ -68,7 +69,7 @@ impl Judge {
                 significant(spacings),
                 significant(entry.peak_draught / LEAST_ROUND)
             );
-            return (Verdict::NotResolved, None, Some(why));
+            return (Verdict::NotResolved, None, Some(why.into()));
         }
         let share = ROUND_BAND[0].max(ROUND_BAND[1] * self.spacing / radius);
         (Verdict::Resolved, Some(share), None)

@@ -2,8 +2,9 @@
 
 use serde::Serialize;
 
-use super::{RunningIntegral, STANDARD_GRAVITY, Verdict};
+use super::{RunningIntegral, STANDARD_GRAVITY};
 use crate::observers::phaseless;
+use crate::vocabulary::Verdict;
 
 /// Bandwidth of each of the two passes over the class [-].
 pub const PASS_OVER_CLASS: f64 = 2.0775;

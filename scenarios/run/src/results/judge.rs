@@ -1,7 +1,5 @@
 //! Judges the results: over which time they are averaged, how wide their bands are, and what may be said of them (THEORY GE18–GE20).
 
-use std::collections::BTreeMap;
-
 use scene::{Bottom, Entry, LEAST_DRAUGHT, Scene, Unusual, limit_of_forces, resonant_panels, share_of_walls};
 use serde::{Deserialize, Serialize};
 use settings::significant;
@@ -9,11 +7,11 @@ use settings::significant;
 use super::air_pulse::air_pulse;
 use super::averaging::{Averaging, CUTOFF};
 use super::bands::{Depth, LEAST_FORCE_BAND, lost_beyond};
-use super::doubts::Doubts;
 use super::panel::{StressPeak, panel_results};
 use super::running_integral::{Extreme, RunningIntegral};
 use super::tension::with_tension;
-use super::{Finding, Quantity, Results, STANDARD_GRAVITY, Verdict, WIDE};
+use super::{Finding, STANDARD_GRAVITY, WIDE};
+use crate::vocabulary::{Doubt, Doubts, Named, Quantity, ResultName, Results, Verdict, Why};
 
 /// Bands of a peak pressure by the spacings across the length with 90 % of the peak: least length, share of the pressure [-].
 const PRESSURE_BANDS: [(f64, f64); 2] = [(17.0, 0.04), (5.0, 0.25)];
@@ -92,13 +90,16 @@ impl Judge {
         }
     }
 
-    /// The results, and doubts about them in sentences.
-    pub fn results(&self, curves: &Curves, panels: &[StressPeak]) -> (Results, Vec<String>) {
+    /// The results, and doubts about them.
+    pub fn results(&self, curves: &Curves, panels: &[StressPeak]) -> (Results, Doubts) {
         let mut doubts = Doubts::default();
-        let mut keep = |name: &str, (quantity, why): (Quantity, Option<String>)| {
+        let mut body = Named::new();
+        let mut keep = |name: ResultName, found: Option<(Quantity, Option<Why>)>| {
+            let Some((quantity, why)) = found else { return };
             let wide = quantity.verdict == Verdict::Resolved && quantity.is_withheld();
-            doubts.add(name, why.or(wide.then(|| WIDE.to_string())));
-            quantity.with_known_band()
+            let why = why.or(wide.then(|| WIDE.into()));
+            doubts.extend(why.map(|why| Doubt::about(name.name(), why)));
+            body.insert(name, quantity.with_known_band());
         };
         let window = self.of_force.time;
         let by_force = |peak: Extreme, raw: Extreme| {
@@ -113,11 +114,11 @@ impl Judge {
             match (falls, known) {
                 (true, true) => {
                     let why = "it is that of the fall: the water accelerates the body less";
-                    (Verdict::Resolved, Some(LEAST_FORCE_BAND), Some(why.to_string()))
+                    (Verdict::Resolved, Some(LEAST_FORCE_BAND), Some(why.into()))
                 }
                 (true, false) => {
                     let why = "it is that of the fall, and the force of the water is not resolved";
-                    (Verdict::NotResolved, None, Some(why.to_string()))
+                    (Verdict::NotResolved, None, Some(why.into()))
                 }
                 (false, _) => by_force(peak, raw),
             }
@@ -127,29 +128,26 @@ impl Judge {
         let pressure = self.peak_pressure(curves);
         let impulse = curves.force.largest().map(|_| self.impulse(curves));
         let of_force = force.as_ref().map(|(quantity, _)| *quantity);
-        let results = Results {
-            peak_force_N_per_m: force.map(|found| keep("peak_force_N_per_m", found)),
-            peak_acceleration_g: acceleration.map(|found| keep("peak_acceleration_g", found)),
-            peak_pressure_Pa: pressure.map(|found| keep("peak_pressure_Pa", found)),
-            impulse_N_s_per_m: impulse.map(|found| keep("impulse_N_s_per_m", found)),
-            bandwidth_by: of_force.map(|_| self.of_force.by),
-            panels: BTreeMap::new(),
-        };
+        keep(ResultName::PeakForce, force);
+        keep(ResultName::PeakAcceleration, acceleration);
+        keep(ResultName::PeakPressure, pressure);
+        keep(ResultName::Impulse, impulse);
         let panels = panels.iter().enumerate().map(|(k, panel)| {
             let resonates = self.resonant.iter().find(|(name, _)| *name == panel.name).map(|(_, why)| why.as_str());
             // GE18 averages over spacings that an entering body falls through: elsewhere a plate may vibrate faster
             let stress = curves.stresses.get(k).filter(|_| self.entry.is_some());
             let mean = stress.and_then(|curve| curve.largest_mean(self.of_force.least));
             let (results, reasons) = panel_results(panel, of_force, mean.map(|mean| mean.value), resonates);
-            reasons.into_iter().for_each(|why| doubts.add(&panel.name, Some(why)));
+            doubts.extend(reasons.into_iter().map(|why| Doubt::about(&panel.name, why)));
             (panel.name.clone(), results)
         });
-        let results = Results { panels: panels.collect(), ..results };
+        let (panels, bandwidth_by) = (panels.collect(), of_force.map(|_| self.of_force.by));
+        let results = Results { body, bandwidth_by, panels };
         let results = match self.unusual.is_empty() {
             true => results,
             false => results.without_bands(&self.unusual, &mut doubts),
         };
-        (results, doubts.sentences())
+        (results, doubts)
     }
 
     /// The largest mean of a curve times a factor; its band's share is of the value and what is subtracted in it. `None`
@@ -160,7 +158,7 @@ impl Judge {
         (averaging, key): (Averaging, &str),
         [factor, subtracted]: [f64; 2],
         finding: &dyn Fn(Extreme, Extreme) -> Finding,
-    ) -> Option<(Quantity, Option<String>)> {
+    ) -> Option<(Quantity, Option<Why>)> {
         let (raw, window) = (curve.largest()?, averaging.time);
         let Some(mean) = curve.largest_mean(window) else {
             let (value, why) = (factor * raw.value, averaging.longer_than_run(key));
@@ -173,7 +171,7 @@ impl Judge {
                 verdict: Verdict::NotResolved,
                 allowed: None,
             };
-            return Some((quantity, Some(why)));
+            return Some((quantity, Some(why.into())));
         };
         // GE19: what twice the time takes off the peak, where the time follows the spacing
         let twice = curve.largest_mean(2.0 * window).map_or(0.0, |longer| longer.value);
@@ -187,7 +185,7 @@ impl Judge {
         };
         let smoothed = times * (mean.value - twice).max(0.0);
         let (verdict, band, why) = match averaging.too_short(key, self.spacing) {
-            Some(why) => (Verdict::NotResolved, None, Some(why)),
+            Some(why) => (Verdict::NotResolved, None, Some(why.into())),
             None => finding(mean, raw),
         };
         let quantity = Quantity {
@@ -205,7 +203,7 @@ impl Judge {
     /// What may be said of a force, or of an acceleration.
     fn force_finding(&self, curves: &Curves, window: f64, peak: Extreme, raw: Extreme) -> Finding {
         if let Some(why) = &self.limit {
-            return (Verdict::NotResolved, None, Some(why.clone()));
+            return (Verdict::NotResolved, None, Some(why.clone().into()));
         }
         let Some(entry) = &self.entry else { return self.unforeseen(curves, peak, raw) };
         if entry.is_flat() {
@@ -218,7 +216,7 @@ impl Judge {
             let why = format!(
                 "the body starts {wet} m deep at speed: the water in its way is hit at once, at an infinite force"
             );
-            return (Verdict::Acoustic, None, Some(why));
+            return (Verdict::Acoustic, None, Some(why.into()));
         }
         if let Bottom::Arc { radius } = entry.bottom {
             return self.round_finding(curves, entry, radius, window);
@@ -253,11 +251,11 @@ impl Judge {
     }
 
     /// A body that comes from the air and is too little in the water.
-    fn shallow(&self, curves: &Curves, draught: f64) -> Option<String> {
+    fn shallow(&self, curves: &Curves, draught: f64) -> Option<Why> {
         let from_air = curves.draught.first().is_some_and(|row| row[1] <= self.spacing);
         let spacings = draught / self.spacing;
         (from_air && spacings > 0.0 && spacings < LEAST_DRAUGHT)
-            .then(|| format!("it comes at a draught of {} spacings; {LEAST_DRAUGHT} are needed", significant(spacings)))
+            .then(|| Why::shallow("it comes at a draught of", spacings, format!("{LEAST_DRAUGHT} are needed")))
     }
 
     /// Single steps within the time of the mean that reach far above it.
@@ -269,12 +267,12 @@ impl Judge {
                 Some(c) => (Verdict::Acoustic, format!("sound of {} m/s acts on them", significant(c))),
                 None => (Verdict::NotResolved, "the mean depends on them: use a finer spacing, or the impulse".into()),
             };
-            (verdict, None, Some(format!("single steps reach {ratio} times the mean: {cause}")))
+            (verdict, None, Some(format!("single steps reach {ratio} times the mean: {cause}").into()))
         })
     }
 
     /// The gauge with the largest peak.
-    fn peak_pressure(&self, curves: &Curves) -> Option<(Quantity, Option<String>)> {
+    fn peak_pressure(&self, curves: &Curves) -> Option<(Quantity, Option<Why>)> {
         let finding = |peak: Extreme, raw: Extreme| {
             let Some(entry) = &self.entry else { return self.unforeseen(curves, peak, raw) };
             if entry.is_flat() {
@@ -295,7 +293,7 @@ impl Judge {
                         significant(spacings),
                         PRESSURE_BANDS[1].0
                     );
-                    (Verdict::NotResolved, None, Some(why))
+                    (Verdict::NotResolved, None, Some(why.into()))
                 }
             }
         };
@@ -307,20 +305,20 @@ impl Judge {
     }
 
     /// The impulse over the run: an integral averages by itself. A flat contact and a wet start have one, of no known band.
-    fn impulse(&self, curves: &Curves) -> (Quantity, Option<String>) {
+    fn impulse(&self, curves: &Curves) -> (Quantity, Option<Why>) {
         let [x, y] = curves.force.total();
         let value = x.hypot(y);
         let deepest = curves.draught.iter().fold(0.0_f64, |deepest, row| deepest.max(row[1]));
         let entry = self.entry.filter(|entry| !entry.is_flat() && value > 0.0);
         let of_depth = |entry: &Entry| self.depth(deepest).impulse_share(entry);
         let lost = |entry: &Entry| match entry.bottom {
-            Bottom::Arc { .. } => Ok(0.0), // its root is fast at first contact alone
+            Bottom::Arc { .. } => Ok::<_, Why>(0.0), // its root is fast at first contact alone
             _ => lost_beyond(self.sound_speed, entry),
         };
-        let with_lost = |entry| Ok(of_depth(&entry)? + lost(&entry)? + self.of_walls);
+        let with_lost = |entry| Ok::<_, Why>(of_depth(&entry)? + lost(&entry)? + self.of_walls);
         let share = entry.map(with_lost);
         let (share, why) = match (&self.limit, share) {
-            (Some(limit), _) => (None, Some(limit.clone())),
+            (Some(limit), _) => (None, Some(limit.as_str().into())),
             (None, Some(Err(why))) => (None, Some(why)),
             (None, Some(Ok(share))) => (Some(share), None),
             (None, None) => (None, self.shallow(curves, deepest).filter(|_| self.entry.is_none())),
@@ -334,8 +332,8 @@ impl Judge {
 
 #[cfg(test)]
 mod tests {
-    use super::super::averaging::BandwidthBy;
     use super::*;
+    use crate::vocabulary::BandwidthBy;
 
     /// A judge of a flow that no theory foresees.
     fn still() -> Judge {
@@ -364,7 +362,7 @@ mod tests {
             curves.force.take(0.01 * f64::from(k), [0.0, if k == 50 { spike } else { 1.0 }]);
         }
         let judge = Judge { sound_speed, ..still() };
-        judge.results(&curves, &[]).0.peak_force_N_per_m.expect("a force")
+        judge.results(&curves, &[]).0.get(ResultName::PeakForce).expect("a force")
     }
 
     /// A steady force of 1 N/m, with tension that takes a share off it.
@@ -379,14 +377,15 @@ mod tests {
             let judge = Judge { sound_speed: Some(40.0), ..still() };
             judge.results(&curves, &[])
         };
-        let verdict = |share: f64| judged(share).0.peak_force_N_per_m.expect("a force").verdict;
+        let verdict = |share: f64| judged(share).0.get(ResultName::PeakForce).expect("a force").verdict;
         assert_eq!(
             (verdict(0.049), verdict(0.051), verdict(-2.0)),
             (Verdict::NoBand, Verdict::NotResolved, Verdict::NoBand)
         );
         let (results, doubts) = judged(0.08);
-        assert_eq!(results.impulse_N_s_per_m.expect("an impulse").verdict, Verdict::NotResolved);
-        assert!(doubts[0].contains("8 %") && doubts[0].contains("fluid.cavitation_pressure"), "{doubts:?}");
+        assert_eq!(results.get(ResultName::Impulse).expect("an impulse").verdict, Verdict::NotResolved);
+        let doubt = doubts.iter().next().map(Doubt::to_string).unwrap_or_default();
+        assert!(doubt.contains("8 %") && doubt.contains("fluid.cavitation_pressure"), "{doubt}");
     }
 
     #[test]

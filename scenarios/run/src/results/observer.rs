@@ -9,7 +9,7 @@ use super::filtered::FilteredAcceleration;
 use super::judge::{Curves, Judge};
 use super::panel::StressPeak;
 use super::running_integral::RunningIntegral;
-use super::{Results, Verdict};
+use crate::vocabulary::{Doubts, ResultName, Results, Verdict};
 
 /// Gathers the curves of the results in every step.
 pub struct ResultsObserver {
@@ -57,7 +57,7 @@ impl ResultsObserver {
     /// The largest acceleration through the filter of a channel frequency class [Hz], with the verdict of the unfiltered one; `None`
     /// for a body that is not free.
     pub fn filtered(&self, class: f64, results: &Results) -> Option<FilteredAcceleration> {
-        let verdict = results.peak_acceleration_g.map_or(Verdict::NoBand, |peak| peak.verdict);
+        let verdict = results.get(ResultName::PeakAcceleration).map_or(Verdict::NoBand, |peak| peak.verdict);
         FilteredAcceleration::of(&self.curves.acceleration, class, verdict)
     }
 
@@ -76,7 +76,7 @@ impl ResultsObserver {
     }
 
     /// The results so far, and doubts about them.
-    pub fn results(&self, scene: &Scene, system: &Coupled) -> (Results, Vec<String>) {
+    pub fn results(&self, scene: &Scene, system: &Coupled) -> (Results, Doubts) {
         let panels = system.bodies().flat_map(|body| body.panels());
         let modes = system.bodies().filter_map(|body| StressPeak::of_modes(&body.modes()?));
         let panels: Vec<StressPeak> = panels.map(|panel| StressPeak::from(&panel)).chain(modes).collect();

@@ -5,7 +5,9 @@ use scene::MODES;
 use settings::significant;
 use structure_fe::Range;
 
-use super::{PanelResults, Quantity, Verdict, WIDE};
+use super::WIDE;
+use crate::vocabulary::ResultName::{PeakStrain, PeakStress, ReserveFactor};
+use crate::vocabulary::{Named, Quantity, Verdict, Why};
 
 /// Band of a stress over that of the force, as shares; fitted on elastic drops against half the spacing [-].
 const STRESS_BAND: f64 = 1.3;
@@ -119,7 +121,7 @@ pub(super) fn panel_results(
     force: Option<Quantity>,
     mean: Option<f64>,
     resonates: Option<&str>,
-) -> (PanelResults, Vec<String>) {
+) -> (Named, Vec<Why>) {
     let &StressPeak { value, time, reserve_factor: reserve, strain, allowed, .. } = peak;
     let excess = mean.filter(|mean| *mean > 0.0).map_or(0.0, |mean| (value / mean - 1.0).max(0.0));
     let load = force.map(|force| force.verdict).filter(|verdict| *verdict != Verdict::Resolved);
@@ -147,16 +149,17 @@ pub(super) fn panel_results(
         quantity.with_known_band()
     };
     // beyond yield the strain grows faster than the load: no band is known
-    let results = PanelResults {
-        peak_stress_Pa: quantity(value, time, share, verdict),
-        peak_strain: strain.map(|[strain, time]| quantity(strain, time, None, of_strain)),
-        reserve_factor: reserve.map(|factor| match strain {
-            Some([_, time]) => quantity(factor, time, None, of_strain),
-            None => quantity(factor, time, share, verdict),
-        }),
-    };
-    let withheld = (verdict == Verdict::Resolved && results.peak_stress_Pa.is_withheld()).then(|| WIDE.to_string());
-    (results, peak.excess().into_iter().chain(doubt).chain(withheld).chain(coarse).collect())
+    let stress = quantity(value, time, share, verdict);
+    let factor = reserve.map(|factor| match strain {
+        Some([_, time]) => quantity(factor, time, None, of_strain),
+        None => quantity(factor, time, share, verdict),
+    });
+    let strain = strain.map(|[strain, time]| quantity(strain, time, None, of_strain));
+    let withheld = (verdict == Verdict::Resolved && stress.is_withheld()).then(|| WIDE.to_string());
+    let all = [(PeakStress, Some(stress)), (PeakStrain, strain), (ReserveFactor, factor)];
+    let results = all.into_iter().filter_map(|(name, quantity)| Some((name, quantity?))).collect();
+    let excess = peak.excess().map(|text| Why { beyond_limit: true, ..text.into() });
+    (results, excess.into_iter().chain([doubt, withheld, coarse].into_iter().flatten().map(Why::from)).collect())
 }
 
 #[cfg(test)]
@@ -184,13 +187,13 @@ mod tests {
         };
         let stress = |mean: f64| panel_results(&panel(), Some(force), Some(mean), None);
         let (calm, none) = stress(6e6);
-        assert!((calm.peak_stress_Pa.band.expect("a band") / 6e6 - 0.104).abs() < 1e-12 && none.is_empty());
+        assert!((calm[&PeakStress].band.expect("a band") / 6e6 - 0.104).abs() < 1e-12 && none.is_empty());
         let (burst, _) = stress(5e6);
-        assert!((burst.peak_stress_Pa.band.expect("a band") / 6e6 - 0.304).abs() < 1e-12);
-        assert_eq!(burst.peak_stress_Pa.verdict, Verdict::Resolved);
+        assert!((burst[&PeakStress].band.expect("a band") / 6e6 - 0.304).abs() < 1e-12);
+        assert_eq!(burst[&PeakStress].verdict, Verdict::Resolved);
         let (spike, why) = stress(3e6);
-        assert_eq!(spike.peak_stress_Pa.verdict, Verdict::NotResolved);
-        assert!(why[0].contains("2 times its mean"), "{why:?}");
+        assert_eq!(spike[&PeakStress].verdict, Verdict::NotResolved);
+        assert!(why[0].text.contains("2 times its mean"), "{why:?}");
     }
 
     /// Resolved and allowed are two things: a stress of a force that is not resolved, and of one that is, beyond its limit.
@@ -203,18 +206,16 @@ mod tests {
         let over = StressPeak { reserve_factor: Some(0.5), allowed: Some(false), ..panel() };
         let stress = |force| panel_results(&over, force, None, None);
         let (resolved, doubts) = stress(force(Verdict::Resolved, 80.0));
-        assert_eq!(
-            (resolved.peak_stress_Pa.verdict, resolved.peak_stress_Pa.allowed),
-            (Verdict::Resolved, Some(false))
-        );
-        assert_eq!(doubts, ["the stress is 2 times the allowable one"]);
+        assert_eq!((resolved[&PeakStress].verdict, resolved[&PeakStress].allowed), (Verdict::Resolved, Some(false)));
+        assert_eq!(doubts[0].text, "the stress is 2 times the allowable one");
+        assert!(doubts[0].beyond_limit && doubts.len() == 1);
         let (unresolved, _) = stress(force(Verdict::NotResolved, 80.0));
-        assert_eq!(unresolved.reserve_factor.expect("a factor").verdict, Verdict::NotResolved);
-        assert_eq!(unresolved.reserve_factor.expect("a factor").allowed, Some(false));
+        assert_eq!(unresolved.get(&ReserveFactor).expect("a factor").verdict, Verdict::NotResolved);
+        assert_eq!(unresolved.get(&ReserveFactor).expect("a factor").allowed, Some(false));
         // 1432 MPa about 751 MPa tell nothing
         let (wide, doubts) = stress(force(Verdict::Resolved, 900.0));
-        assert!(wide.peak_stress_Pa.is_withheld() && wide.peak_stress_Pa.verdict == Verdict::NotResolved);
-        assert!(doubts[1].contains("as large as itself"), "{doubts:?}");
+        assert!(wide[&PeakStress].is_withheld() && wide[&PeakStress].verdict == Verdict::NotResolved);
+        assert!(doubts[1].text.contains("as large as itself"), "{doubts:?}");
     }
 
     /// Beyond yield the strain is the result, against the rupture strain.
@@ -222,17 +223,18 @@ mod tests {
     fn a_panel_that_yields_is_judged_by_its_strain() {
         let yields = StressPeak { strain: Some([0.004, 0.02]), allowed: Some(false), ..panel() };
         let (results, doubts) = panel_results(&yields, None, None, None);
-        let strain = results.peak_strain.expect("a strain");
+        let strain = results.get(&PeakStrain).expect("a strain");
         assert_eq!((strain.value, strain.time_s, strain.band, strain.allowed), (0.004, Some(0.02), None, Some(false)));
-        assert!(results.reserve_factor.is_none() && doubts[0].contains("0.4 %"), "{doubts:?}");
+        assert!(results.get(&ReserveFactor).is_none() && doubts[0].text.contains("0.4 %"), "{doubts:?}");
         let enough =
             StressPeak { reserve_factor: Some(25.0), allowed: Some(true), rupture_strain: Some(0.1), ..yields };
         let (results, doubts) = panel_results(&enough, None, None, None);
-        assert!(doubts.is_empty() && results.reserve_factor.is_some_and(|factor| factor.value == 25.0));
+        assert!(doubts.is_empty() && results.get(&ReserveFactor).is_some_and(|factor| factor.value == 25.0));
         // a hinge within an element is as long as the element
         let (results, doubts) = panel_results(&StressPeak { strain_across: 0.2, ..enough }, None, None, None);
-        let verdicts = [results.peak_strain, results.reserve_factor].map(|found| found.expect("a number").verdict);
+        let verdicts =
+            [results.get(&PeakStrain), results.get(&ReserveFactor)].map(|found| found.expect("a number").verdict);
         assert_eq!((verdicts, doubts.len()), ([Verdict::NotResolved; 2], 1));
-        assert_eq!(results.peak_stress_Pa.verdict, Verdict::NoBand);
+        assert_eq!(results[&PeakStress].verdict, Verdict::NoBand);
     }
 }

@@ -2,7 +2,8 @@
 
 use settings::significant;
 
-use super::{Finding, Verdict};
+use super::Finding;
+use crate::vocabulary::Verdict;
 
 /// What tension takes off counts so often in the band [-].
 const TENSION_BAND: f64 = 2.5;
@@ -21,7 +22,7 @@ pub(super) fn with_tension((verdict, band, why): Finding, tension: [f64; 2], for
          fluid.cavitation_pressure = 0 lets it in (solver = weakly_compressible)",
         significant(100.0 * share)
     );
-    (Verdict::NotResolved, None, Some(why))
+    (Verdict::NotResolved, None, Some(why.into()))
 }
 
 #[cfg(test)]
@@ -33,7 +34,9 @@ mod tests {
         let found = |tension: f64| with_tension((Verdict::Resolved, Some(0.05), None), [0.3, -tension], [0.0, 2.0]);
         assert_eq!(found(0.04), (Verdict::Resolved, Some(0.05 + TENSION_BAND * 0.02), None));
         assert_eq!((found(-1.0), found(0.101).0), ((Verdict::Resolved, Some(0.05), None), Verdict::NotResolved));
-        assert!(found(0.16).2.is_some_and(|why| why.contains("8 %") && why.contains("fluid.cavitation_pressure")));
+        assert!(
+            found(0.16).2.is_some_and(|why| why.text.contains("8 %") && why.text.contains("fluid.cavitation_pressure"))
+        );
         let still = with_tension((Verdict::Resolved, None, None), [0.0; 2], [0.0; 2]);
         assert_eq!(still, (Verdict::Resolved, None, None));
     }

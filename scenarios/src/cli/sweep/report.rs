@@ -57,7 +57,7 @@ pub(super) fn show(output: &Output, collected: &Collected, folder: &SweepFolder,
     }
     let of = |case: &WorstCase| {
         let band = case.band.map_or(String::new(), |band| format!(" ± {}", significant(band)));
-        let verdict = case.verdict.as_deref().map_or(String::new(), |word| format!(", {word}"));
+        let verdict = case.verdict.map_or(String::new(), |verdict| format!(", {}", verdict.name()));
         let name = [case.scene.as_deref().unwrap_or(""), &case.place, &case.quantity];
         let name: Vec<&str> = name.into_iter().filter(|word| !word.is_empty()).collect();
         format!("  worst {}: {}{band}{verdict}, point {}", name.join(" "), significant(case.value), case.point)

@@ -1,0 +1,27 @@
+//! The words of a run's results, stated once: names with titles and units, quantities, verdicts, status, doubts.
+//!
+//! | to change | place |
+//! |---|---|
+//! | a result: its name in `summary.json`, its title, its unit | the table in `names` |
+//! | a verdict or a status: its name in files, its words on pages | the tables in `verdict` and `status` |
+//! | a column of the curves: its title, its unit | the tables in `columns` |
+//!
+//! What each value *is* for a run is decided in [`results`](crate::results).
+
+mod bandwidth;
+mod columns;
+mod doubt;
+mod names;
+mod quantity;
+mod results;
+mod status;
+mod verdict;
+
+pub use bandwidth::BandwidthBy;
+pub use columns::{ColumnTitle, column_title};
+pub use doubt::{Doubt, Doubts, Shallow, Why};
+pub use names::{ResultId, ResultName};
+pub use quantity::{Quantity, is_withheld};
+pub use results::{Named, Results};
+pub use status::Status;
+pub use verdict::Verdict;
