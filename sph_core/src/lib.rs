@@ -15,6 +15,9 @@
 //!
 //! Inside, `interactions` has the terms of a pair, `forces` their sums on fluid and walls, `simd` four targets at once.
 //!
+//! `cargo run --release -p sph_core --example NAME` runs `still_water`, `dam_break`, `piston` (a wall that moves), `standing_wave`
+//! (incompressible), `elliptic_drop` (kernels against an exact solution) and `checkpoint`.
+//!
 //! A dam break: water of 1 m by 1 m in the left half of a tank.
 //!
 //! ```
