@@ -26,6 +26,7 @@ mod exchange;
 mod follow;
 mod force_limits;
 mod gauge_warnings;
+mod ignored;
 mod impact;
 mod incompressible;
 mod keel;

@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 use include_dir::{Dir, include_dir};
 use serde_json::Value;
 use settings::{Problem, require, significant};
-use sph_core::{FluidSettings, Solver};
+use sph_core::FluidSettings;
 use water_entry::{EntryModel, OutOfRange};
 
 use super::as_written::as_written;
@@ -15,6 +15,7 @@ use super::embedded::texts;
 use super::error::SceneError;
 use super::estimate::{BYTES_PER_PARTICLE, memory_estimate, particle_estimate};
 use super::gauge_warnings::gauge_warnings;
+use super::ignored::ignored;
 use super::impact::Entry;
 use super::keel::keel_warnings;
 use super::keys::{Body, GRAVITY, QuantityOfInterest, Scene, Symmetry, schema};
@@ -204,38 +205,6 @@ fn next_that_holds(scene: &Scene, named: EntryModel, models: &dyn Models) -> Ent
         .filter(|model| model.is_theory())
         .find(holds)
         .unwrap_or(EntryModel::Wcsph)
-}
-
-/// Options that are on and that the solver ignores.
-fn ignored(given: &Value, scene: &Scene) -> Vec<String> {
-    let solver = scene.solver.name();
-    let on = |key: &&&str| given.pointer(&format!("/fluid/{key}")) == Some(&Value::Bool(true));
-    let ignored: &[&str] = match scene.solver.kind() {
-        Solver::WeaklyCompressible => &[],
-        Solver::IncompressibleThesis => &["ventilation", "wall_stretch", "still_pressure"],
-        Solver::Incompressible | Solver::IncompressibleExplicit => &["wall_stretch", "still_pressure"],
-    };
-    let mut ignored: Vec<String> = ignored
-        .iter()
-        .filter(on)
-        .map(|key| format!("fluid.{key} = true does nothing with solver = {solver:?}"))
-        .collect();
-    ignored.extend(idle_steps(given, scene));
-    ignored
-}
-
-/// Keys of split-explicit steps (THEORY WC22) that stand in a scene and do nothing.
-fn idle_steps(given: &Value, scene: &Scene) -> Vec<String> {
-    let number = |key: &str| given.pointer(&format!("/fluid/{key}")).and_then(Value::as_f64);
-    let by = match scene.solver.weakly_compressible() {
-        _ if scene.model.is_theory() => format!("model = {:?}", scene.model.name()),
-        None => format!("solver = {:?}", scene.solver.name()),
-        Some(fluid) if fluid.scheme.acoustic_steps() == 1 => "fluid.acoustic_steps = 1".to_string(),
-        Some(_) => return Vec::new(),
-    };
-    let on = [("acoustic_steps", number("acoustic_steps")), ("advective_limit", number("advective_limit"))];
-    let idle = on.into_iter().filter_map(|(key, value)| Some((key, value.filter(|value| *value != 1.0)?)));
-    idle.map(|(key, value)| format!("fluid.{key} = {value} does nothing with {by}")).collect()
 }
 
 fn draft_of(given: &Value) -> Result<Draft, Problem> {
