@@ -2,8 +2,8 @@
 
 use evidence::systems::{advance, scene, system};
 use run::summary::Summary;
-use run::vocabulary::Status;
 use run::{self, RunOptions};
+use scene::vocabulary::Status;
 
 /// A coarse dam break to its end, 1.8 s.
 fn dam_break(sets: &[&str]) -> Summary {

@@ -3,8 +3,8 @@
 
 use evidence::systems::{of_text, scene, system};
 use fsi_coupling::{Coupled, CouplingError};
-use run::vocabulary::Status;
 use run::{self, RunOptions};
+use scene::vocabulary::Status;
 use sph_core::Breakdown;
 
 /// ρ g [Pa/m] of every scene.

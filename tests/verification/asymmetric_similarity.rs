@@ -138,7 +138,7 @@ fn a_scene_with_a_rolled_wedge_has_the_similar_load() {
     assert_eq!(auto.model, EntryModel::BoundaryElement, "{:?}", auto.model);
     // its error bar is the measured error of the vertical force; the largest force of the results is the whole one
     let [x, y] = [0, 1].map(|k| rho * SPEED.powi(2) * h * exact.force[k]);
-    let largest = outcome.summary.results.get(run::vocabulary::ResultName::PeakForce).expect("a force");
+    let largest = outcome.summary.results.get(scene::vocabulary::ResultName::PeakForce).expect("a force");
     assert!((largest.value / x.hypot(y) - 1.0).abs() < 0.02, "{largest:?}, exactly {x} and {y}");
     assert!(largest.band.is_some_and(|band| band < 0.03 * largest.value), "{largest:?}");
     let free = ROLLED.replace("motion = \"constant_velocity\"", "motion = \"free\"\nmass = 2000.0\ninertia = 500.0");

@@ -5,8 +5,8 @@ use std::sync::LazyLock;
 use evidence::landing::{RHO, landing, prism, tapered_hull};
 use evidence::long::long;
 use rayon::prelude::*;
-use run::vocabulary::Status;
 use scenarios::ditching::{self, Accelerometer, Landed, Summary};
+use scene::vocabulary::Status;
 use water_entry::ditching::{Aeroplane, Attitude, LandingEnd, LandingState};
 use water_entry::{EntryModel, Loads, Section};
 

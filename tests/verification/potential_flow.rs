@@ -111,7 +111,7 @@ fn pressures_of_formulas_have_the_part_at_rest() {
         );
         let scene = load_text("a.toml", &text, &[]).expect("a scene").scene;
         let summary = run(&scene, &RunOptions::default()).expect("a run").summary;
-        summary.results.get(run::vocabulary::ResultName::PeakPressure).expect("a pressure").value
+        summary.results.get(scene::vocabulary::ResultName::PeakPressure).expect("a pressure").value
     };
     let [formula, flow] = ["similarity", "boundary_element"].map(peak);
     assert!((formula / flow - 1.0).abs() < 0.04, "{formula} Pa, {flow} Pa by boundary elements");

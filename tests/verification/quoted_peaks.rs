@@ -3,15 +3,15 @@
 use evidence::long::long;
 use evidence::systems::scene;
 use run::summary::Summary;
-use run::vocabulary::{BandwidthBy, Quantity, Verdict};
 use run::{RunOptions, run};
+use scene::vocabulary::{BandwidthBy, Quantity, Verdict};
 
 fn summary(name: &str, sets: &[&str]) -> Summary {
     run(&scene(name, sets), &RunOptions::default()).expect("a scene that can be built").summary
 }
 
 fn peak_force(summary: &Summary) -> Quantity {
-    summary.results.get(run::vocabulary::ResultName::PeakForce).expect("a body")
+    summary.results.get(scene::vocabulary::ResultName::PeakForce).expect("a body")
 }
 
 /// A round-bottomed section that flies in, at two speeds of sound: the mean is the same, and within its band of the modified
@@ -91,7 +91,7 @@ fn a_flat_contact_is_refused_by_name_and_keeps_its_impulse() {
             );
             let peak = summary.peaks["plate.fy_N_per_m"];
             assert_eq!((peak.value, peak.verdict), (peak_force(&summary).raw, Some(Verdict::Acoustic)));
-            impulses.push(summary.results.get(run::vocabulary::ResultName::Impulse).expect("a body").value);
+            impulses.push(summary.results.get(scene::vocabulary::ResultName::Impulse).expect("a body").value);
         }
     }
     let mean = impulses.iter().sum::<f64>() / 4.0;

@@ -7,9 +7,9 @@ use numpy::PyArray1;
 use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use run::vocabulary::Status;
 use run::{Checkpoints, Outcome, RunOptions, run};
 use scene::Scene;
+use scene::vocabulary::Status;
 use sph_core::parallel;
 
 use crate::call::interruptible;

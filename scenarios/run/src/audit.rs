@@ -1,11 +1,11 @@
 //! Conservation over a run, and what of it makes its results doubtful.
 
 use fsi_coupling::{Coupled, Energy};
+use scene::vocabulary::Doubt;
 use serde::Serialize;
 use settings::significant;
 
 use crate::observers::WorstPenetration;
-use crate::vocabulary::Doubt;
 
 /// Largest gap of the momentum that rounding can make [-].
 const MOMENTUM: f64 = 1e-9;

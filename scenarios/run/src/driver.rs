@@ -6,6 +6,7 @@ use std::time::{Duration, Instant};
 
 use fsi_coupling::{BodyError, Coupled, CouplingError};
 use scene::Scene;
+use scene::vocabulary::Status;
 use sph_core::{Phase, parallel};
 use tracing::{debug, info, warn};
 
@@ -17,7 +18,6 @@ use crate::error::RunError;
 use crate::folder::{HOST_MARK, Held, prepare, refuse_occupied, write};
 use crate::observers::{LiveObserver, LogObserver, ObserveError};
 use crate::options::{Checkpoints, Outcome, RunOptions};
-use crate::vocabulary::Status;
 use crate::{build, charted, model_hierarchy};
 
 /// Why a run stopped before its end.

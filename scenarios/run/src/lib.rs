@@ -44,7 +44,6 @@ mod recorder_state;
 pub mod results;
 mod resume;
 pub mod summary;
-pub mod vocabulary;
 
 pub use driver::run;
 pub use error::RunError;

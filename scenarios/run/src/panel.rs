@@ -1,11 +1,10 @@
 //! What the panels of a body bore over a run.
 
 use fsi_coupling::{Coupled, PanelState, Station};
+use scene::vocabulary::{Doubt, Results};
 use serde::Serialize;
 use settings::significant;
 use structure_fe::{Break, Range};
-
-use crate::vocabulary::{Doubt, Results};
 
 /// Extremes of a quantity over a panel and the run.
 #[derive(Clone, Copy, Debug, Serialize)]

@@ -1,10 +1,9 @@
 //! Distances between nearest neighbours, which show whether particles pair.
 
+use scene::vocabulary::Doubt;
 use serde::Serialize;
 use settings::significant;
 use sph_core::{Kernel, Particles};
-
-use crate::vocabulary::Doubt;
 
 /// How regularly the particles lie at the end of a run: particles that pair, or clump, are nearer than a spacing.
 #[derive(Clone, Copy, Debug, Serialize)]

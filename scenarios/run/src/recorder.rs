@@ -4,7 +4,8 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use fsi_coupling::Coupled;
-use scene::{Scene, known_compressibility_error, thesis_work};
+use scene::vocabulary::{Doubt, ResultName, Status};
+use scene::{Scene, known_compressibility_error, thesis_work, validity};
 use sph_core::{Fluid, Phase, Solver, projection};
 use tracing::warn;
 
@@ -24,7 +25,6 @@ use crate::observers::{
     SimilarityResult, SimilarityWindow, WorstPenetration, body_values, unlikely_waves,
 };
 use crate::results::ResultsObserver;
-use crate::vocabulary::{Doubt, ResultName, Status};
 
 /// Means are taken over the run from this share of it on.
 const LATE: f64 = 0.8;
@@ -289,7 +289,7 @@ impl Recorder {
         let order = particle_order(fluid.particles());
         doubts.extend(order.and_then(|order| order.doubt(fluid.domain().fluid.kernel)));
         let compressibility = self.compressibility(scene);
-        doubts.extend(compressibility.as_ref().and_then(Compressibility::doubt));
+        doubts.extend(compressibility.as_ref().and_then(|sound| validity::compressibility::doubt(sound.mach_reached)));
         let (comparison, not_compared) = compare::against_all(scene, references, &self.series, similarity.as_ref());
         let verdict = results.get(ResultName::PeakForce).map(|force| force.verdict).filter(|v| !v.is_sound());
         let gauges = self.gauges.results();

@@ -3,21 +3,20 @@
 use std::collections::BTreeMap;
 
 use serde::Serialize;
-use settings::significant;
 use sph_core::{Phase, Timers};
 
 pub use super::audit::Audit;
 use super::link_results::{ContactResult, JointResult};
 pub use super::modes::ModesResult;
 pub use super::panel::{Extremes, PanelEnvelope, PanelResult, Rupture};
-use scene::{CouplingScheme, FITTED_MACH};
+use scene::CouplingScheme;
+use scene::vocabulary::{Doubts, Results, Status, Verdict};
 
 use super::particle_order::ParticleOrder;
 use crate::compare::Comparison;
 use crate::error_bar::ErrorBars;
 use crate::observers::{GaugeResult, Rest, RuleResult, SimilarityResult, Water, Waves};
 use crate::results::FilteredAcceleration;
-use crate::vocabulary::{Doubt, Doubts, Results, Status, Verdict};
 
 /// Numbers of particles.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
@@ -66,18 +65,6 @@ pub struct Compressibility {
     /// Factor on the force that corrects for this share, 1/(1 − share) (THEORY GE15) [-]; `null` without an impact. No other
     /// number of the summary is corrected.
     pub force_corrected: Option<f64>,
-}
-
-impl Compressibility {
-    /// Water that outran the forecast by which the speed of sound was chosen.
-    pub(crate) fn doubt(&self) -> Option<Doubt> {
-        (self.mach_reached > FITTED_MACH).then(|| {
-            let mach = significant(self.mach_reached);
-            let why =
-                format!("a particle reached Mach {mach}: compressibility is not small; set a higher fluid.sound_speed");
-            Doubt::about("compressibility.mach_reached", why)
-        })
-    }
 }
 
 /// Work of the pressure solves.

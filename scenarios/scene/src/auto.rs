@@ -1,11 +1,8 @@
 //! The values that a scene leaves to the program.
 
-use super::impact::{Entry, LEAST_SOUND_RATIO, sound_speed_for};
+use super::impact::Entry;
 use super::keys::{Body, Scene, Tank, Water};
-
-/// Reach of the water over c₀ t_end, the way of sound in the run [-]. An echo needs at least 0.5 to come back in time;
-/// the coarse rows far away return the wave a little earlier: 0.5 disturbs the force, 0.65 does not.
-pub const ACOUSTIC_REACH: f64 = 0.65;
+use super::validity::compressibility::{ACOUSTIC_REACH, LEAST_SOUND_RATIO, WATER_SOUND, sound_speed_for};
 
 /// Least reach of the tank over the fine zone's [-].
 const TANK_OVER_FINE_ZONE: f64 = 10.0;
@@ -18,9 +15,6 @@ const PAST_THE_CHINES: f64 = 1.6;
 
 /// Least half width and depth of the fine zone [spacings].
 const LEAST_FINE_ZONE: [f64; 2] = [10.0, 4.0];
-
-/// Speed of sound in water [m/s]: a faster one has no meaning.
-pub const WATER_SOUND: f64 = 1480.0;
 
 /// Least c₀² over g times the depth of an impact's tank [-], chosen and admitted: water at the floor is 4 or 8 % denser.
 const STIFFNESS: [f64; 2] = [20.0, 10.0];

@@ -8,13 +8,13 @@ use fsi_coupling::geometry::polygon;
 use settings::{Problem, require, significant};
 
 use super::auto::hydrostatic_sound;
-use super::incompressible::check_projection_step;
 use super::keys::{Block, Body, Gauge, GaugeFrame, Motion, Scene, Similarity, Symmetry};
 use super::legacy::{breakdown_cfl, hollow_walls};
 use super::references::check_reference;
 use super::resolve_links::{check_links, further};
 use super::symmetric::{check_symmetric, on_axis};
-use super::waves::check_waves;
+use super::validity::projection::check_projection_step;
+use super::validity::waves::check_waves;
 
 /// Spacings across the thinnest part of a body: three rows of wall particles behind each face.
 const THINNEST_BODY: f64 = 6.0;

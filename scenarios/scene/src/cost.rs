@@ -4,8 +4,8 @@ use sph_core::Solver;
 
 use super::estimate::particle_estimate;
 use super::keys::Scene;
-use super::spring_steps::longest_spring_step;
-use super::wet_period::longest_step;
+use super::validity::springs::longest_spring_step;
+use super::validity::wet_period::longest_step;
 
 /// Cost of a particle and step on one core, search and walls included [s]; an order of magnitude.
 const COST: f64 = 0.7e-6;

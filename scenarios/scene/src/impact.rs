@@ -12,12 +12,6 @@ use super::keys::{Body, Motion};
 pub const FLAT_CONTACT: &str = "a face within 4 deg of the water meets it at once: the peak follows the speed of sound, or the \
     spacing, and no value is right; use results.impulse_N_s_per_m";
 
-/// Least speed of sound over the fastest known speed of the flow [-].
-pub const LEAST_SOUND_RATIO: f64 = 10.0;
-
-/// Least draught at a peak (THEORY GE19) [spacings].
-pub const LEAST_DRAUGHT: f64 = 6.0;
-
 /// Steps of the penetration integral.
 const PENETRATION_STEPS: u32 = 1000;
 
@@ -118,13 +112,6 @@ impl Entry {
         self.bottom.is_flat()
     }
 
-    /// Speed of sound [m/s] at which water of density ρ [kg/m³] is as soft as the air under a flat bottom (THEORY WC27); `None` where no
-    /// air is trapped, or where the body is too fast for it.
-    pub fn cushion_sound_speed(&self, density: f64) -> Option<f64> {
-        let sound = self.cushion?.equivalent_sound_speed(density);
-        (sound >= LEAST_SOUND_RATIO * self.fastest).then_some(sound)
-    }
-
     /// Does water leave the sides of a round bottom? Deeper than 0.15 radii the pressure beside them is below that of the air (THEORY EN24).
     pub(super) fn leaves_its_sides(&self) -> bool {
         matches!(self.bottom, Bottom::Arc { radius } if self.final_draught > DRY_SIDES * radius)
@@ -197,19 +184,6 @@ impl Fall<'_> {
     }
 }
 
-/// Share of the force that weak compressibility costs [-]: ε = 2 M² ln(1/M), M = U/c₀ from the spray root's speed U
-/// and the speed of sound c₀ [m/s].
-///
-/// A fit to weakly compressible runs against the similarity solution at deadrise 10° to 30°, for M up to about 0.3;
-/// it says nothing beyond M = e^(−1/2), where it turns, and is held constant there.
-pub fn compressibility_error(root_speed: f64, sound_speed: f64) -> f64 {
-    let mach = (root_speed / sound_speed).min(LARGEST_MACH);
-    match mach > 0.0 {
-        true => -2.0 * mach * mach * mach.ln(),
-        false => 0.0,
-    }
-}
-
 /// Air under the bottom of a body that meets the water at a speed [m/s].
 fn cushion(body: &Body, draught: f64, speed: f64) -> Option<AirCushion> {
     let outline = body.placed_outline();
@@ -219,35 +193,6 @@ fn cushion(body: &Body, draught: f64, speed: f64) -> Option<AirCushion> {
     let turns = body.angular_velocity_deg_per_s != 0.0;
     let traps = !turns && flat >= TRAPPING[0] * breadth && draught <= TRAPPING[1] * breadth;
     traps.then_some(AirCushion { half_breadth: 0.5 * flat, speed })
-}
-
-/// [`compressibility_error`] where the fit holds: `None` for a spray root faster than Mach 0.3, as a round bottom's is at
-/// first contact.
-pub fn known_compressibility_error(root_speed: f64, sound_speed: f64) -> Option<f64> {
-    (root_speed <= FITTED_MACH * sound_speed).then(|| compressibility_error(root_speed, sound_speed))
-}
-
-/// Largest Mach number of the spray root in the runs that the error is fitted to [-].
-pub const FITTED_MACH: f64 = 0.3;
-
-/// Mach number at which the fitted error is largest, e^(−1/2) [-].
-const LARGEST_MACH: f64 = 0.606_530_659_712_633_4;
-
-/// Largest error that [`sound_speed_for`] can be asked for [-]: below the maximum 1/e of the fit.
-pub const LARGEST_COMPRESSIBILITY_ERROR: f64 = 0.25;
-
-/// Speed of sound [m/s] at which compressibility costs the share `error` [-] of the force of a spray root of speed
-/// U [m/s]: the inverse of [`compressibility_error`], for errors in (0, [`LARGEST_COMPRESSIBILITY_ERROR`]].
-pub fn sound_speed_for(error: f64, root_speed: f64) -> f64 {
-    let (mut low, mut high) = (0.0, LARGEST_MACH);
-    while high - low > 4.0 * f64::EPSILON * high {
-        let mach = 0.5 * (low + high);
-        match compressibility_error(mach, 1.0) < error {
-            true => low = mach,
-            false => high = mach,
-        }
-    }
-    root_speed / high
 }
 
 /// Largest deadrise of the solutions that [`jet_reach`] is fitted to [deg].
@@ -286,22 +231,6 @@ mod tests {
         let beta: f64 = 0.5;
         let root = FRAC_PI_2 / beta.to_radians().tan();
         assert!((jet_reach(beta).expect("within the fit's range") / root - 2.0).abs() < 1e-3);
-    }
-
-    #[test]
-    fn sound_speed_inverts_the_error() {
-        for error in [1e-4, 0.01, 0.057, LARGEST_COMPRESSIBILITY_ERROR] {
-            let c = sound_speed_for(error, 2.72);
-            assert!((compressibility_error(2.72, c) / error - 1.0).abs() < 1e-12);
-        }
-    }
-
-    #[test]
-    fn error_matches_the_runs_it_was_fitted_to() {
-        // k = 29, after an approach: −3.4 % (30°), −3.9 % (20°), −5.5 % (10°) at Mach 0.1; −1.05 % (30°), −1.3 % (20°) at 0.05
-        assert!((compressibility_error(0.1, 1.0) - 0.043).abs() < 0.012);
-        assert!((compressibility_error(0.05, 1.0) - 0.0118).abs() < 0.004);
-        assert_eq!(compressibility_error(0.0, 20.0), 0.0);
     }
 
     #[test]

@@ -7,8 +7,6 @@
 //! What a scene may ask of the models that run it stands in [`Models`]: a [`Loader`] is made with them. The crate `run` has one with all models of
 //! this program, `run::load`.
 
-mod air_warnings;
-mod approach;
 mod as_written;
 mod auto;
 mod bottom;
@@ -19,17 +17,11 @@ mod data_file;
 pub mod draft;
 pub mod embedded;
 mod entries;
-mod entry_warnings;
 mod error;
 mod estimate;
-mod exchange;
 mod follow;
-mod force_limits;
-mod gauge_warnings;
 mod ignored;
 mod impact;
-mod incompressible;
-mod keel;
 pub mod keys;
 mod layout;
 mod legacy;
@@ -39,12 +31,10 @@ pub mod mistaken_file;
 mod models;
 mod modes_file;
 mod motion_file;
-mod narrow_gaps;
 pub mod nastran;
 mod outline;
 #[cfg(test)]
 mod particles_tests;
-mod plausible;
 mod prepare;
 pub mod reference;
 mod references;
@@ -54,36 +44,24 @@ mod resolve_links;
 mod resolve_modes;
 pub mod source;
 mod spelling;
-mod spring_steps;
 mod stations;
 mod structure_file;
 mod symmetric;
 mod table_file;
-mod under_water;
 mod unusual;
-mod warnings;
-mod waves;
-mod wet_period;
+pub mod validity;
+pub mod vocabulary;
 
-pub use air_warnings::LEAST_HALF_BREADTH;
-pub use approach::{LEAST_GAP, START_GAP};
-pub use auto::{ACOUSTIC_REACH, auto_fine_zone, auto_reach, auto_sound_speed, fastest_speed};
+pub use auto::{auto_fine_zone, auto_reach, auto_sound_speed, fastest_speed};
 pub use bottom::{Bottom, LEAST_DEADRISE_DEG};
 pub use bounded_text::read_text;
 pub use cost::{core_seconds, cost_of_step, step_at_start};
 pub use embedded::{contents, texts};
 pub use error::SceneError;
 pub use estimate::{BYTES_PER_PARTICLE, memory_estimate, particle_estimate};
-pub use exchange::{ExchangeRatio, panel_exchanges};
 pub use follow::{Follower, with_end};
-pub use force_limits::{limit_of_forces, presses_on_walls};
 pub use fsi_coupling::{PanelEnd, Shape};
-pub use impact::FITTED_MACH;
-pub use impact::{
-    Entry, FLAT_CONTACT, LARGEST_COMPRESSIBILITY_ERROR, LEAST_DRAUGHT, LEAST_SOUND_RATIO, compressibility_error,
-    jet_reach, known_compressibility_error, sound_speed_for,
-};
-pub use incompressible::share_of_walls;
+pub use impact::{Entry, FLAT_CONTACT, jet_reach};
 pub use keys::{
     Axis, Beach, Block, Body, Compare, Coupling, CouplingScheme, Freedom, Gauge, GaugeFrame, Modes, Motion, Moved,
     NaturalMode, Norm, Observe, Oscillation, Panel, QuantityOfInterest, Report, Resolution, Scene, Similarity,
@@ -103,10 +81,20 @@ pub use resolve::MOST_ROWS;
 pub use source::apply_set;
 pub use spelling::nearest;
 pub use sph_core::{Kernel, Slip as WallSlip};
-pub use spring_steps::{longest_spring_step, spec as sprung_spec};
 pub use unusual::Unusual;
-pub use warnings::warnings;
+pub use validity::air::LEAST_HALF_BREADTH;
+pub use validity::compressibility::{
+    ACOUSTIC_REACH, LARGEST_COMPRESSIBILITY_ERROR, LEAST_SOUND_RATIO, compressibility_error,
+    known_compressibility_error, sound_speed_for,
+};
+pub use validity::exchange::{ExchangeRatio, panel_exchanges};
+pub use validity::first_contact::{LEAST_GAP, START_GAP};
+pub use validity::limits::{limit_of_forces, presses_on_walls};
+pub use validity::projection::share_of_walls;
+pub use validity::resolution::LEAST_DRAUGHT;
+pub use validity::springs::{longest_spring_step, spec as sprung_spec};
+pub use validity::warnings;
+pub use validity::waves::{early_end as waves_end_early, full_waves_by};
+pub use validity::wet_period::longest_step;
+pub use validity::wet_period::resonant_panels;
 pub use water_entry::EntryModel;
-pub use waves::{early_end as waves_end_early, full_waves_by};
-pub use wet_period::longest_step;
-pub use wet_period::resonant_panels;

@@ -8,7 +8,6 @@ use settings::{Problem, require};
 use sph_core::{Dissipation, FluidSettings, Kernel, Solver};
 use water_entry::EntryModel;
 
-use super::approach::{check_start, earliest_start};
 use super::auto::{auto_reach, auto_sound_speed, hydrostatic_sound};
 use super::bottom::Bottom;
 use super::draft::Draft;
@@ -18,10 +17,12 @@ use super::keys::{
     Beach, Body, Compare, Coupling, CouplingScheme, GRAVITY, Gauge, Joint, Lattice, Motion, Resolution, Scene,
     SolverSettings, Tank, Time, Water, WaveMaker, WeaklyCompressibleFluid,
 };
+use super::legacy;
 use super::resolve_body::resolve_body;
 use super::resolve_links::resolve_further_bodies;
 use super::source::word;
-use super::{legacy, under_water};
+use super::validity::first_contact::{check_start, earliest_start};
+use super::validity::submerged;
 
 /// Rows of the series and frames of particles in a run, where the scene does not say.
 const SAMPLES: f64 = 500.0;
@@ -84,7 +85,7 @@ pub(super) fn resolve(mut draft: Draft) -> Result<Scene, Problem> {
         draft.fill("projection.calming", CALMING_OF_WAVES);
     }
     if submerged && rigid && calmed {
-        under_water::fill_projection(draft);
+        submerged::fill_projection(draft);
     }
     resolve_coupling(draft, &solver, &bodies)?;
     match entries.is_empty() {
@@ -289,7 +290,7 @@ fn resolve_fluid(
     if solver == Solver::WeaklyCompressible {
         let WeaklyCompressibleFluid { options, .. } = draft.read("fluid")?;
         if submerged {
-            under_water::fill_weakly_compressible(draft, &options);
+            submerged::fill_weakly_compressible(draft, &options);
         }
         let WeaklyCompressibleFluid { scheme, options, .. } = draft.read("fluid")?;
         let bends = bodies.iter().any(|body| body.bends());
@@ -301,7 +302,7 @@ fn resolve_fluid(
         if by_pairs && keeled && !bends && settles && !iterates && follows && legacy::holds_geometry(&options) {
             draft.fill("fluid.acoustic_steps", ACOUSTIC_STEPS_OF_A_WEDGE);
         }
-        under_water::fill_still_pressure(draft, &options, submerged)?;
+        submerged::fill_still_pressure(draft, &options, submerged)?;
         legacy::complete(draft, &water.fluid, scheme, options, given)?;
     }
     draft.read("")

@@ -9,9 +9,9 @@ use std::time::{Duration, Instant};
 use indicatif::{ProgressBar, ProgressStyle};
 use run::log::{LogError, Viewers};
 use run::summary::Summary;
-use run::vocabulary::{Quantity, ResultId, Status};
 use run::{Outcome, RunError, RunOptions};
 use scene::Scene;
+use scene::vocabulary::{Quantity, ResultId, Status};
 use settings::significant;
 
 use super::shared::{DONE, Output, Stop, complain, say};

@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use report::run_page::quantity::digits;
 use run::summary::Peak;
-use run::vocabulary::Status;
+use scene::vocabulary::Status;
 use serde::Serialize;
 use settings::Problem;
 use water_entry::ditching::{Bending, LandingEnd, LandingResult, Swell};

@@ -6,7 +6,7 @@ use report::{
     Block, Card, Chart, Curve, Lead, Mark, Table, Tone, escape, hint_html, lead_html, page as html_page, row,
 };
 use run::summary::Peak;
-use run::vocabulary::Status;
+use scene::vocabulary::Status;
 
 use super::landed::{Landed, Structure, seconds};
 use super::loads::StationLoad;

@@ -2,9 +2,9 @@
 
 use std::path::PathBuf;
 
-use run::vocabulary::Status;
 use run::{RunError, RunOptions, load_text, run};
 use scene::SceneError;
+use scene::vocabulary::Status;
 use serde::Serialize;
 use water_entry::ditching::{Form, Hull, ImpactingPart, SectionLoad};
 

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, HashMap};
 
 use rayon::prelude::*;
-use run::vocabulary::{Status, Verdict};
+use scene::vocabulary::{Status, Verdict};
 use serde_json::Value;
 
 use super::file::SCENE_AXIS;

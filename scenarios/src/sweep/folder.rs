@@ -40,7 +40,7 @@ pub(super) const KILLED: &str = "killed";
 impl Outcome {
     /// True for a point with results.
     pub fn is_completed(&self) -> bool {
-        run::vocabulary::Status::of(&self.status).has_results()
+        scene::vocabulary::Status::of(&self.status).has_results()
     }
 }
 

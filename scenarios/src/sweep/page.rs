@@ -1,7 +1,7 @@
 //! `sweep.html`: worst cases, trends, response surfaces, points and failures.
 
 use report::{Block, Card, Lead, Table, Tone, hint_html, lead_html, page as html_page};
-use run::vocabulary::{ResultName, Status, Verdict};
+use scene::vocabulary::{ResultName, Status, Verdict};
 
 use super::collect::{Collected, Number, PointResult, Said, is_failed};
 use super::surfaces::surfaces;

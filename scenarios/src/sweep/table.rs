@@ -1,6 +1,6 @@
 //! The table of a sweep, and its worst cases.
 
-use run::vocabulary::{ResultName, Verdict};
+use scene::vocabulary::{ResultName, Verdict};
 use serde::Serialize;
 use serde_json::Value;
 

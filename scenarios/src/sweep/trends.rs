@@ -1,7 +1,7 @@
 //! Charts of each quantity against each axis: colours and dashes by the other axes, bands, marks for what is not resolved.
 
 use report::{Block, CATEGORIES, Chart, Curve, Mark, Paint, Rgb, TrendLine};
-use run::vocabulary::Verdict;
+use scene::vocabulary::Verdict;
 use serde_json::Value;
 
 use super::collect::{Collected, Number, PointResult, Said};

@@ -3,7 +3,7 @@
 use report::run_page::quantity::{Unit, digits};
 use report::run_page::two_digits;
 use report::{COARSE, Tone};
-use run::vocabulary::{ResultId, Status, Verdict, column_title, is_withheld};
+use scene::vocabulary::{ResultId, Status, Verdict, column_title, is_withheld};
 use serde_json::Value;
 use settings::significant;
 

@@ -3,9 +3,9 @@
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
-use run::vocabulary::Status;
 use run::{Checkpoints, Resumable, RunError, RunOptions, run};
 use scene::Loaded;
+use scene::vocabulary::Status;
 
 use super::error::SweepError;
 use super::folder::{Outcome, PointFolder, SweepFolder};

@@ -8,9 +8,9 @@ mod refused;
 use std::fs;
 use std::path::Path;
 
-use run::vocabulary::Status;
 use run::{Checkpoints, Resumable, RunOptions, run};
 use scene::Scene;
+use scene::vocabulary::Status;
 use serde_json::Value;
 use sph_core::parallel::on_threads;
 use temp_dir::TempDir;

@@ -173,5 +173,5 @@ fn a_given_motion_carries_its_panels() {
     assert!(scene.sound_speed() > 250.0, "{}", scene.sound_speed());
     let summary = run(&scene, &RunOptions::default()).expect("a run").summary;
     assert!(summary.status.is_completed(), "{:?}", summary.message);
-    assert!(summary.results.panels["panel1"][&run::vocabulary::ResultName::PeakStress].value < 1e9);
+    assert!(summary.results.panels["panel1"][&scene::vocabulary::ResultName::PeakStress].value < 1e9);
 }

@@ -3,7 +3,7 @@
 use run::compare::{self, ReferenceCurve};
 use run::observers::phaseless;
 use run::results::PASS_OVER_CLASS;
-use run::vocabulary::{ColumnTitle, Quantity, ResultName, column_title};
+use scene::vocabulary::{ColumnTitle, Quantity, ResultName, column_title};
 use scene::{Compare, Scene};
 use water_entry::EntryModel;
 

@@ -3,8 +3,8 @@
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 
-use run::vocabulary::{Quantity, ResultId, Status, Verdict};
 use scene::schema;
+use scene::vocabulary::{Quantity, ResultId, Status, Verdict};
 use settings::significant;
 
 use super::charts::{self, Figure};

@@ -1,6 +1,6 @@
 //! Doubts and warnings in sentences for the page.
 
-use run::vocabulary::{Doubt, ResultId, Shallow};
+use scene::vocabulary::{Doubt, ResultId, Shallow};
 
 use super::folder::RunFolder;
 use super::quantity::{digits, with_unit};
@@ -85,7 +85,7 @@ pub(super) fn html(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use run::vocabulary::Why;
+    use scene::vocabulary::Why;
 
     use super::*;
 

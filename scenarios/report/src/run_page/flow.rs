@@ -1,7 +1,7 @@
 //! The frames of the flow that the page shows: chosen from the log, thinned to a budget.
 
 use run::log::{LogReader, LoggedFrame, Point};
-use run::vocabulary::ResultName;
+use scene::vocabulary::ResultName;
 use scene::{Scene, Symmetry};
 
 use super::camera::{View, views, whole};

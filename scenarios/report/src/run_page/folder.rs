@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use run::log::LogReader;
-use run::vocabulary::{ResultName, Status};
+use scene::vocabulary::{ResultName, Status};
 use scene::{Scene, SceneError};
 
 use super::record::Record;

@@ -1,6 +1,6 @@
 //! The head of the page: how the run ended, in its colour, and its results.
 
-use run::vocabulary::{Doubt, Named, Quantity, ResultId, ResultName, Results, Status, Verdict};
+use scene::vocabulary::{Doubt, Named, Quantity, ResultId, ResultName, Results, Status, Verdict};
 
 use super::folder::RunFolder;
 use super::quantity::{Unit, digits, percent, with_unit};

@@ -5,7 +5,7 @@
 
 use std::collections::BTreeMap;
 
-use run::vocabulary::{Doubts, Results, Status};
+use scene::vocabulary::{Doubts, Results, Status};
 use serde::Deserialize;
 
 /// A summary, as far as the page shows it; names and units are those of [`Summary`](run::summary::Summary).

@@ -1,7 +1,7 @@
 //! What a run is compared with: names of references, and the table of comparisons.
 
-use run::vocabulary::{ColumnTitle, ResultId, ResultName, column_title};
 use scene::reference::Table as ReferenceTable;
+use scene::vocabulary::{ColumnTitle, ResultId, ResultName, column_title};
 use scene::{Compare, Norm};
 
 use super::folder::RunFolder;

@@ -5,6 +5,7 @@ use std::time::Instant;
 
 use fsi_coupling::Coupled;
 use scene::Scene;
+use scene::vocabulary::Status;
 use tracing::warn;
 
 use super::error::HostedError;
@@ -15,7 +16,6 @@ use crate::observers::ObserveError;
 use crate::options::{Outcome, Page, RunOptions};
 use crate::recorder::{Observed, Recorder};
 use crate::recorder_state::Mark;
-use crate::vocabulary::Status;
 
 /// Largest share by which the speed at contact may differ from the expected one [-].
 const MOST_UNEXPECTED: f64 = 0.1;

@@ -3,6 +3,7 @@
 use std::time::Instant as Clock;
 
 use scene::reference::WedgeSimilarity;
+use scene::vocabulary::{Quantity, ResultName, Results, Verdict};
 use scene::{Body, Gauge, Motion, QuantityOfInterest, Scene};
 use water_entry::Instant;
 
@@ -13,7 +14,6 @@ use crate::log::{BodyView, Frame, Logged};
 use crate::observers::{ObserveError, Series, SimilarityResult, body_values, create_log, mean_and_deviation};
 use crate::results::{Extreme, RunningIntegral, STANDARD_GRAVITY};
 use crate::summary::{Log, Peak, Summary};
-use crate::vocabulary::{Quantity, ResultName, Results, Verdict};
 use crate::{Outcome, RunError, RunOptions};
 
 /// Least pressure in the rows beside a peak that they follow, over it [-]: it is then within about 1 % of the largest between rows.

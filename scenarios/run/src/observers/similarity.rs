@@ -5,6 +5,7 @@
 
 use fsi_coupling::Coupled;
 use scene::reference::WedgeSimilarity;
+use scene::vocabulary::Doubt;
 use scene::{Scene, Shape};
 use serde::{Deserialize, Serialize};
 use sph_core::Probe;
@@ -13,7 +14,6 @@ use water_entry::keel::{KeelLaw, KeelPressure, LARGEST_SHARE};
 
 use super::face_profile::{length_near_peak, noise, peak_place};
 use super::{Frame, ObserveError, Observer, mean_and_deviation};
-use crate::vocabulary::Doubt;
 
 /// Points along the face, in similarity coordinates.
 const POINTS: usize = 400;

@@ -2,13 +2,13 @@
 
 use std::f64::consts::{PI, TAU};
 
+use scene::vocabulary::Doubt;
 use scene::{Scene, full_waves_by, waves_end_early};
 use serde::Serialize;
 use settings::significant;
 use water_entry::waves::separation::{Amplitude, separate};
 
 use super::series::Series;
-use crate::vocabulary::Doubt;
 
 /// Periods at the end of the run over which harmonics are taken.
 const PERIODS: f64 = 4.0;

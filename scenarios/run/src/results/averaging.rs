@@ -1,9 +1,8 @@
 //! Times over which peaks are averaged (THEORY GE18).
 
+use scene::vocabulary::BandwidthBy;
 use scene::{Bottom, Entry, Scene};
 use settings::significant;
-
-use crate::vocabulary::BandwidthBy;
 
 /// The mean over a time τ halves the power at this over τ (GE18) [-].
 pub(super) const CUTOFF: f64 = 0.443;

@@ -1,10 +1,10 @@
 //! The largest acceleration through the filter of a channel frequency class (SAE J211-1).
 
+use scene::vocabulary::Verdict;
 use serde::Serialize;
 
 use super::{RunningIntegral, STANDARD_GRAVITY};
 use crate::observers::phaseless;
-use crate::vocabulary::Verdict;
 
 /// Bandwidth of each of the two passes over the class [-].
 pub const PASS_OVER_CLASS: f64 = 2.0775;

@@ -1,20 +1,20 @@
 //! Judges the results: over which time they are averaged, how wide their bands are, and what may be said of them (THEORY GE18–GE20).
 
-use scene::{Bottom, Entry, LEAST_DRAUGHT, Scene, Unusual, limit_of_forces, resonant_panels, share_of_walls};
+use scene::validity::air::{air_pulse, flat_finding};
+use scene::validity::compressibility::lost_beyond;
+use scene::validity::first_contact::{RoundContact, wet_start};
+use scene::validity::panels::{StressPeak, panel_results};
+use scene::validity::resolution::{Depth, LEAST_DRAUGHT, LEAST_FORCE_BAND, pressure_share};
+use scene::validity::tension::with_tension;
+use scene::vocabulary::{Doubt, Doubts, Finding, Named, Quantity, ResultName, Results, Verdict, WIDE, Why};
+use scene::{Bottom, Entry, Scene, Unusual, limit_of_forces, resonant_panels, share_of_walls};
 use serde::{Deserialize, Serialize};
 use settings::significant;
 
-use super::air_pulse::air_pulse;
+use super::STANDARD_GRAVITY;
 use super::averaging::{Averaging, CUTOFF};
-use super::bands::{Depth, LEAST_FORCE_BAND, lost_beyond};
-use super::panel::{StressPeak, panel_results};
 use super::running_integral::{Extreme, RunningIntegral};
-use super::tension::with_tension;
-use super::{Finding, STANDARD_GRAVITY, WIDE};
-use crate::vocabulary::{Doubt, Doubts, Named, Quantity, ResultName, Results, Verdict, Why};
 
-/// Bands of a peak pressure by the spacings across the length with 90 % of the peak: least length, share of the pressure [-].
-const PRESSURE_BANDS: [(f64, f64); 2] = [(17.0, 0.04), (5.0, 0.25)];
 /// What twice the time takes off a round bottom's peak counts so often in its band (GE20) [-].
 const ROUND_SMOOTHING: f64 = 1.5;
 /// Largest ratio of a single step's value to the mean [-].
@@ -207,22 +207,25 @@ impl Judge {
         }
         let Some(entry) = &self.entry else { return self.unforeseen(curves, peak, raw) };
         if entry.is_flat() {
-            return self.flat_finding(curves, entry, peak);
+            return self.flat(curves, entry, peak);
         }
         if let Some([start, draught]) = curves.draught.first().filter(|[_, draught]| *draught > self.spacing)
             && peak.time < start + 2.0 * window
         {
-            let wet = significant(*draught);
-            let why = format!(
-                "the body starts {wet} m deep at speed: the water in its way is hit at once, at an infinite force"
-            );
-            return (Verdict::Acoustic, None, Some(why.into()));
+            return wet_start(*draught);
         }
         if let Bottom::Arc { radius } = entry.bottom {
-            return self.round_finding(curves, entry, radius, window);
+            let gap = -curves.draught.first().map_or(0.0, |row| row[1]);
+            let (spacing, sound_speed) = (self.spacing, self.sound_speed);
+            return RoundContact { radius, gap, window, spacing, sound_speed }.finding(entry);
         }
         let found = self.by_draught(curves, entry, peak);
         if found.0 == Verdict::Resolved { self.spike(window, peak, raw).unwrap_or(found) } else { found }
+    }
+
+    fn flat(&self, curves: &Curves, entry: &Entry, peak: Extreme) -> Finding {
+        let contact = curves.draught.iter().find(|[_, draught]| *draught > 0.0).map_or(0.0, |[time, _]| *time);
+        flat_finding(entry, self.spacing, self.air.map(|[_, end]| contact + end), peak.time)
     }
 
     fn depth(&self, draught: f64) -> Depth {
@@ -276,7 +279,7 @@ impl Judge {
         let finding = |peak: Extreme, raw: Extreme| {
             let Some(entry) = &self.entry else { return self.unforeseen(curves, peak, raw) };
             if entry.is_flat() {
-                return self.flat_finding(curves, entry, peak);
+                return self.flat(curves, entry, peak);
             }
             let (verdict, _, why) = self.by_draught(curves, entry, peak);
             if verdict != Verdict::Resolved {
@@ -285,16 +288,9 @@ impl Judge {
             let draught = curves.draught_at(peak.time);
             let spacings = entry.peak_length_at(draught) / self.spacing;
             let tip = self.depth(draught).tip_share(entry);
-            match PRESSURE_BANDS.iter().find(|(least, _)| spacings >= *least) {
-                Some((_, share)) => (Verdict::Resolved, Some(share.max(tip)), None),
-                None => {
-                    let why = format!(
-                        "the length with 90 % of the peak is {} spacings; {} are needed",
-                        significant(spacings),
-                        PRESSURE_BANDS[1].0
-                    );
-                    (Verdict::NotResolved, None, Some(why.into()))
-                }
+            match pressure_share(spacings) {
+                Ok(share) => (Verdict::Resolved, Some(share.max(tip)), None),
+                Err(why) => (Verdict::NotResolved, None, Some(why)),
             }
         };
         let each = curves
@@ -332,8 +328,9 @@ impl Judge {
 
 #[cfg(test)]
 mod tests {
+    use scene::vocabulary::BandwidthBy;
+
     use super::*;
-    use crate::vocabulary::BandwidthBy;
 
     /// A judge of a flow that no theory foresees.
     fn still() -> Judge {

@@ -2,14 +2,14 @@
 
 use fsi_coupling::{Body, Coupled, Motion, TouchRecord};
 use scene::Scene;
+use scene::validity::panels::StressPeak;
+use scene::vocabulary::{Doubts, ResultName, Results, Verdict};
 use settings::significant;
 use sph_core::state_bytes::{StateError, decode, encode, expect_count};
 
 use super::filtered::FilteredAcceleration;
 use super::judge::{Curves, Judge};
-use super::panel::StressPeak;
 use super::running_integral::RunningIntegral;
-use crate::vocabulary::{Doubts, ResultName, Results, Verdict};
 
 /// Gathers the curves of the results in every step.
 pub struct ResultsObserver {

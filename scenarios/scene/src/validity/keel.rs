@@ -4,7 +4,7 @@ use fsi_coupling::Shape;
 use settings::significant;
 use water_entry::keel::KeelLaw;
 
-use super::keys::{Body, Gauge, GaugeFrame, Scene};
+use crate::keys::{Body, Gauge, GaugeFrame, Scene};
 
 /// Deadrise from which the force is more than 1 % high at 64 spacings of draught [deg].
 const STEEP_DEG: f64 = 65.0;

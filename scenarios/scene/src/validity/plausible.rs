@@ -4,9 +4,9 @@ use fsi_coupling::Shape;
 use fsi_coupling::geometry::polygon;
 use settings::significant;
 
-use super::keys::{Body, Freedom, Motion, Scene, Symmetry, panel_length};
-use super::outline::OutlineReport;
-use super::symmetric::is_half;
+use crate::keys::{Body, Freedom, Motion, Scene, Symmetry, panel_length};
+use crate::outline::OutlineReport;
+use crate::symmetric::is_half;
 
 /// Mean densities of bodies [kg/m³].
 const POSSIBLE: [f64; 2] = [1.0, 20_000.0];
@@ -16,7 +16,7 @@ const USUAL: [f64; 2] = [10.0, 8000.0];
 const CLASSES: [f64; 4] = [60.0, 180.0, 600.0, 1000.0];
 
 /// Warnings about such values, each with its numbers and its likely cause.
-pub(super) fn implausible(scene: &Scene, outline: Option<&OutlineReport>) -> Vec<String> {
+pub(crate) fn implausible(scene: &Scene, outline: Option<&OutlineReport>) -> Vec<String> {
     let mut warnings = Vec::new();
     for body in scene.all_bodies() {
         let outline = outline.filter(|_| scene.body.as_ref() == Some(body)); // only the first has a file
@@ -42,7 +42,7 @@ pub(super) fn implausible(scene: &Scene, outline: Option<&OutlineReport>) -> Vec
 /// Mass of the panels, with their images [kg/m].
 fn panels_mass(scene: &Scene, body: &Body) -> f64 {
     let sides = if scene.symmetry == Symmetry::X { 2.0 } else { 1.0 };
-    let mass = |panel: &super::Panel| sides * panel.density * panel.thickness * panel_length(body, panel);
+    let mass = |panel: &crate::Panel| sides * panel.density * panel.thickness * panel_length(body, panel);
     body.panels.iter().map(mass).sum()
 }
 

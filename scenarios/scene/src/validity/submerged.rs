@@ -3,8 +3,8 @@
 use settings::{Problem, require};
 use sph_core::{Auto, Dissipation};
 
-use super::draft::Draft;
-use super::legacy::{self, Options};
+use crate::draft::Draft;
+use crate::legacy::{self, Options};
 
 /// Artificial viscosity α [-]. With the usual one, and without `wall_stretch`, a cylinder of half the water's density, 10 spacings across, rises 15 %
 /// too slowly instead of 2 %.
@@ -15,7 +15,7 @@ const SHIFT: f64 = 3.0;
 const CALMING: f64 = 0.02;
 
 /// Keys of weakly compressible water.
-pub(super) fn fill_weakly_compressible(draft: &mut Draft, options: &Options) {
+pub(crate) fn fill_weakly_compressible(draft: &mut Draft, options: &Options) {
     let by_diffusion = draft.get("fluid.dissipation") != Some(Dissipation::Riemann);
     if by_diffusion && legacy::holds_geometry(options) {
         draft.fill("fluid.wall_stretch", true);
@@ -24,7 +24,7 @@ pub(super) fn fill_weakly_compressible(draft: &mut Draft, options: &Options) {
 }
 
 /// The pressure of still water acts by itself (THEORY WC29) where geometry is found in each step.
-pub(super) fn fill_still_pressure(draft: &mut Draft, options: &Options, under_water: bool) -> Result<(), Problem> {
+pub(crate) fn fill_still_pressure(draft: &mut Draft, options: &Options, under_water: bool) -> Result<(), Problem> {
     let each_step = draft.get("fluid.acoustic_steps").is_none_or(|steps: Auto<u32>| steps.or(1) == 1);
     let acts = each_step && legacy::holds_geometry(options);
     let still = draft.fill("fluid.still_pressure", under_water && acts);
@@ -33,7 +33,7 @@ pub(super) fn fill_still_pressure(draft: &mut Draft, options: &Options, under_wa
 }
 
 /// Keys of a projection.
-pub(super) fn fill_projection(draft: &mut Draft) {
+pub(crate) fn fill_projection(draft: &mut Draft) {
     draft.fill("projection.shift", SHIFT);
     draft.fill("projection.calming", CALMING);
 }

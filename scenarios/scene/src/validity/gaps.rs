@@ -7,7 +7,7 @@ use fsi_coupling::Shape;
 use fsi_coupling::geometry::polygon;
 use settings::significant;
 
-use super::keys::{Body, Motion, Scene, Symmetry};
+use crate::keys::{Body, Motion, Scene, Symmetry};
 
 /// Spacings across a gap from which its water is resolved [-].
 const LEAST: f64 = 2.0;
@@ -20,14 +20,14 @@ struct Gap<'a> {
 }
 
 /// Warnings about gaps, each with a spacing that would do; without that of [`gap_limit`].
-pub(super) fn gap_warnings(scene: &Scene) -> Vec<String> {
+pub(crate) fn gap_warnings(scene: &Scene) -> Vec<String> {
     let limit = gap_limit(scene);
     let words = narrow_gaps(scene).into_iter().map(|gap| gap.words(scene.resolution.spacing));
     words.filter(|words| Some(words) != limit.as_ref()).collect()
 }
 
 /// Why the force on a body that stays beside such a gap is not resolved.
-pub(super) fn gap_limit(scene: &Scene) -> Option<String> {
+pub(crate) fn gap_limit(scene: &Scene) -> Option<String> {
     let body = scene.body.as_ref().filter(|body| matches!(body.motion, Motion::Fixed))?;
     narrow_gaps(scene).iter().find(|gap| gap.body == body.name).map(|gap| gap.words(scene.resolution.spacing))
 }

@@ -3,9 +3,9 @@
 use settings::{Problem, require, significant};
 use sph_core::Solver;
 
-use super::impact::Entry;
-use super::keys::{Body, CouplingScheme, Scene, SolverSettings};
 use super::wet_period::unresolved_panels;
+use crate::impact::Entry;
+use crate::keys::{Body, CouplingScheme, Scene, SolverSettings};
 
 /// Share of its smoothing length that a particle may move in a step, where the scene does not say.
 const CFL: f64 = 0.4;
@@ -25,7 +25,7 @@ const LARGEST_GROWTH: f64 = 1.17;
 const REACH: f64 = 15.0;
 
 /// Refuses steps in which water moves farther than its neighbours reach.
-pub(super) fn check_projection_step(scene: &Scene) -> Result<(), Problem> {
+pub(crate) fn check_projection_step(scene: &Scene) -> Result<(), Problem> {
     let (cfl, name) = (scene.courant_number(), scene.solver.name());
     let expected = format_args!(
         "a number above 0 and up to {LARGEST_CFL} with solver = {name:?}: the share of its smoothing length that a particle moves \
@@ -45,7 +45,7 @@ pub(super) fn check_projection_step(scene: &Scene) -> Result<(), Problem> {
 }
 
 /// Warnings about a scene with an incompressible solver: its step, its walls, and what does nothing.
-pub(super) fn projection_warnings(scene: &Scene) -> Vec<String> {
+pub(crate) fn projection_warnings(scene: &Scene) -> Vec<String> {
     let (cfl, mut warnings) = (scene.courant_number(), Vec::new());
     if cfl > STEADY_CFL {
         warnings.push(format!(

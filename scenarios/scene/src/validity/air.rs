@@ -4,8 +4,10 @@ use std::f64::consts::FRAC_PI_2;
 
 use settings::significant;
 
-use super::impact::{Entry, FLAT_CONTACT, LEAST_SOUND_RATIO};
-use super::keys::{Body, Motion, Scene};
+use super::compressibility::LEAST_SOUND_RATIO;
+use crate::impact::{Entry, FLAT_CONTACT};
+use crate::keys::{Body, Motion, Scene};
+use crate::vocabulary::{Finding, Verdict};
 
 /// Spacings across half a flat breadth from which the pressure of trapped air is good (THEORY WC27).
 pub const LEAST_HALF_BREADTH: f64 = 10.0;
@@ -21,7 +23,7 @@ impl Scene {
     }
 
     /// The same under any body.
-    pub(super) fn is_cushioned_by(&self, body: &Body, entry: &Entry) -> bool {
+    pub(crate) fn is_cushioned_by(&self, body: &Body, entry: &Entry) -> bool {
         if self.is_light(body, entry) {
             return false;
         }
@@ -44,11 +46,53 @@ impl Scene {
     }
 }
 
+impl Entry {
+    /// Speed of sound [m/s] at which water of density ρ [kg/m³] is as soft as the air under a flat bottom (THEORY WC27); `None` where no
+    /// air is trapped, or where the body is too fast for it.
+    pub fn cushion_sound_speed(&self, density: f64) -> Option<f64> {
+        let sound = self.cushion?.equivalent_sound_speed(density);
+        (sound >= LEAST_SOUND_RATIO * self.fastest).then_some(sound)
+    }
+}
+
+/// Averaging time and length of the pulse of the air under a flat bottom over b/c [-] (THEORY WC27).
+const AIR_PULSE: [f64; 2] = [0.2, 2.2];
+/// Band of the pressure of the air under a flat bottom (WC27), share of it [-].
+const AIR_BAND: f64 = 0.3;
+
+/// Averaging time [s] under a flat bottom whose trapped air the water's softness stands for, and the time after contact at which its pulse ends,
+/// or an echo comes.
+pub fn air_pulse(scene: &Scene, entry: &Entry) -> Option<[f64; 2]> {
+    let (air, sound) = (entry.cushion.filter(|_| scene.is_cushioned(entry))?, scene.sound_speed());
+    let way = scene.tank.depth.min(0.5 * scene.tank.width - air.half_breadth);
+    let [window, pulse] = AIR_PULSE.map(|share| share * air.half_breadth / sound);
+    Some([window, pulse.min(2.0 * way / sound)])
+}
+
+/// What may be said of a peak under a flat bottom at a time [s]; `pulse_end`: when the pulse of trapped air ends [s], where the water is as soft as
+/// that air.
+pub fn flat_finding(entry: &Entry, spacing: f64, pulse_end: Option<f64>, time: f64) -> Finding {
+    let spacings = entry.cushion.map_or(0.0, |air| air.half_breadth / spacing);
+    match pulse_end {
+        None => (Verdict::Acoustic, None, Some(FLAT_CONTACT.into())),
+        Some(_) if spacings < LEAST_HALF_BREADTH => {
+            let why =
+                format!("half the flat breadth is {} spacings; {LEAST_HALF_BREADTH} are needed", significant(spacings));
+            (Verdict::NotResolved, None, Some(why.into()))
+        }
+        Some(end) if time <= end => (Verdict::Resolved, Some(AIR_BAND), None),
+        Some(_) => {
+            let why = "it comes after the pulse of the air under the flat bottom: an echo of the floor or the walls, or another contact";
+            (Verdict::Acoustic, None, Some(why.into()))
+        }
+    }
+}
+
 /// Vapour pressure of water at 20 °C, relative to the atmosphere [Pa].
 const VAPOUR: f64 = -99_000.0;
 
 /// Tension that a fast body may cause, ½ρV², and that water holds beyond its vapour pressure.
-pub(super) fn vapour(scene: &Scene, entry: &Entry) -> Option<String> {
+pub(crate) fn vapour(scene: &Scene, entry: &Entry) -> Option<String> {
     let tension = 0.5 * scene.water().density * entry.fastest.powi(2);
     let bound =
         scene.solver.weakly_compressible().map(|fluid| fluid.scheme.cavitation_pressure.unwrap_or(f64::NEG_INFINITY));
@@ -67,7 +111,7 @@ pub(super) fn vapour(scene: &Scene, entry: &Entry) -> Option<String> {
 }
 
 /// What becomes of the peak under a flat bottom.
-pub(super) fn flat_contact(scene: &Scene, body: &Body, entry: &Entry) -> Option<String> {
+pub(crate) fn flat_contact(scene: &Scene, body: &Body, entry: &Entry) -> Option<String> {
     if !entry.is_flat() {
         return None;
     }

@@ -4,7 +4,7 @@ use fsi_coupling::geometry::polygon;
 use fsi_coupling::{Beside, PanelExchange, Shape, exchange_ratio};
 use settings::significant;
 
-use super::keys::{Body, CouplingScheme, Freedom, Motion, Panel, Scene, Symmetry, panel_length};
+use crate::keys::{Body, CouplingScheme, Freedom, Motion, Panel, Scene, Symmetry, panel_length};
 
 /// Spectral radius of the weak exchange up to which it was smooth: 0.83 was, 1.0 shook (`tests/stability/coupling.rs`).
 const SMOOTH: f64 = 0.84;
@@ -80,7 +80,7 @@ fn row_of_water(scene: &Scene, body: &Body) -> [f64; 3] {
 }
 
 /// Bodies too light for explicit coupling.
-pub(super) fn light_bodies(scene: &Scene) -> Vec<String> {
+pub(crate) fn light_bodies(scene: &Scene) -> Vec<String> {
     scene.all_bodies().filter_map(|body| light_body(scene, body)).collect()
 }
 
@@ -102,7 +102,7 @@ fn light_body(scene: &Scene, body: &Body) -> Option<String> {
 }
 
 /// Faces of a body's panels that may be wet: both of those on a plate's middle line [-].
-pub(super) fn wet_faces(body: &Body) -> f64 {
+pub(crate) fn wet_faces(body: &Body) -> f64 {
     if matches!(body.shape, Shape::Polyline { .. }) { 2.0 } else { 1.0 }
 }
 
@@ -127,7 +127,7 @@ pub fn panel_exchanges(scene: &Scene) -> Vec<(&Panel, PanelExchange)> {
 }
 
 /// Panels too light for explicit coupling.
-pub(super) fn light_panels(scene: &Scene) -> Vec<String> {
+pub(crate) fn light_panels(scene: &Scene) -> Vec<String> {
     if scene.coupling.scheme != CouplingScheme::Weak {
         return Vec::new();
     }
@@ -147,8 +147,8 @@ pub(super) fn light_panels(scene: &Scene) -> Vec<String> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::load;
     use super::*;
+    use crate::load;
 
     fn exchange(sets: &[&str]) -> [f64; 3] {
         let sets: Vec<String> = sets.iter().map(|set| set.to_string()).collect();

@@ -2,10 +2,12 @@
 
 use settings::significant;
 
-use super::bottom::Bottom;
-use super::impact::Entry;
-use super::keys::{Gauge, GaugeFrame, Scene, Symmetry};
+use crate::bottom::Bottom;
+use crate::impact::Entry;
+use crate::keys::{Gauge, GaugeFrame, Scene, Symmetry};
 
+/// Samples in a period of a gauge's bandwidth.
+const SAMPLES_PER_PERIOD: f64 = 5.0;
 /// A gauge so near to the floor, at the foot of a wall, reads too much where weakly compressible water arrives [spacings].
 const FOOT: f64 = 4.0;
 /// The pressure rises so far ahead of the spray root, at most: a gauge at 10 degrees [spacings].
@@ -72,8 +74,23 @@ fn on_beach(scene: &Scene) -> Vec<String> {
 }
 
 /// Warnings about what gauges read wrongly.
-pub(super) fn gauge_warnings(scene: &Scene) -> Vec<String> {
+pub(crate) fn gauge_warnings(scene: &Scene) -> Vec<String> {
     [early_arrivals(scene), feet_of_walls(scene), on_beach(scene)].concat()
+}
+
+/// A filtered curve is shown whole by samples at more than twice its bandwidth (Shannon 1949); 5 times for its shape.
+pub(crate) fn coarse_samples(scene: &Scene, gauge: &Gauge) -> Option<String> {
+    let (bandwidth, every) = (gauge.bandwidth?, scene.time.sample_every);
+    (every * bandwidth > 1.0 / SAMPLES_PER_PERIOD).then(|| {
+        format!(
+            "{} has a bandwidth of {} Hz and is sampled at {} Hz: the filter sees every step, but the series misses peaks; \
+             {} s would do for time.sample_every",
+            gauge.name,
+            significant(bandwidth),
+            significant(1.0 / every),
+            significant(1.0 / (SAMPLES_PER_PERIOD * bandwidth))
+        )
+    })
 }
 
 #[cfg(test)]

@@ -3,10 +3,10 @@
 use settings::significant;
 use sph_core::Solver;
 
-use super::impact::Entry;
-use super::keys::{Body, Motion, Scene};
-use super::legacy::{extrapolates, repulsive_walls};
-use super::narrow_gaps::gap_limit;
+use super::gaps::gap_limit;
+use crate::impact::Entry;
+use crate::keys::{Body, Motion, Scene};
+use crate::legacy::{extrapolates, repulsive_walls};
 
 /// Largest g D/V² of a body at a given speed in graded, incompressible water, of its draught D at the end [-].
 const LARGEST_GAIN: f64 = 0.3;
@@ -102,8 +102,7 @@ fn outside_fine_zone(scene: &Scene) -> Option<String> {
 
 #[cfg(test)]
 mod tests {
-    use super::limit_of_forces;
-    use crate::{load, load_text};
+    use crate::{limit_of_forces, load, load_text};
 
     #[test]
     fn repulsive_walls_and_a_small_fine_zone_are_known_before_the_run() {

@@ -1,17 +1,20 @@
 //! What the end of a run takes back of its results.
 
-use crate::vocabulary::{Doubt, Doubts, Quantity, Results, Verdict};
+use super::doubt::{Doubt, Doubts};
+use super::quantity::Quantity;
+use super::results::Results;
+use super::verdict::Verdict;
 
 impl Results {
     /// The same; where work of the water is lost between fluid and body, results of panels are not resolved.
-    pub(crate) fn with_work_lost(mut self, lost: bool) -> Results {
+    pub fn with_work_lost(mut self, lost: bool) -> Results {
         let of_panels = self.panels.values_mut().flat_map(|panel| panel.values_mut());
         of_panels.filter(|_| lost).for_each(|quantity| *quantity = quantity.doubted());
         self
     }
 
     /// What comes at `from` [s] or later, or belongs to the whole run, is not resolved, and why.
-    pub(crate) fn unresolve(&mut self, from: f64, why: &str) -> Option<Doubt> {
+    pub fn unresolve(&mut self, from: f64, why: &str) -> Option<Doubt> {
         let later = |quantity: &&mut Quantity| quantity.time_s.is_none_or(|time| time >= from);
         let mut about = Vec::new();
         for (name, quantity) in self.body.iter_mut().filter(|(_, quantity)| later(&quantity)) {
@@ -24,7 +27,7 @@ impl Results {
     }
 
     /// The same without bands, and why: the flow was computed with keys of the method, in words, with which no band was measured.
-    pub(super) fn without_bands(mut self, unusual: &[String], doubts: &mut Doubts) -> Results {
+    pub fn without_bands(mut self, unusual: &[String], doubts: &mut Doubts) -> Results {
         let why = format!("no band was measured with {}", unusual.join(", "));
         let banded = self.named().filter(|(_, quantity)| quantity.band.is_some());
         doubts.extend(banded.map(|(id, _)| Doubt::about(id, why.clone())).collect::<Vec<_>>());

@@ -5,11 +5,12 @@ use std::f64::consts::FRAC_PI_2;
 use fsi_coupling::Shape;
 use settings::significant;
 
-use super::air_warnings::{flat_contact, vapour};
-use super::auto::WATER_SOUND;
-use super::bottom::Bottom;
-use super::impact::{Entry, LEAST_DRAUGHT, jet_reach, known_compressibility_error, sound_speed_for};
-use super::keys::{Body, Motion, Scene};
+use super::air::{flat_contact, vapour};
+use super::compressibility::sound_speed_for;
+use super::resolution::LEAST_DRAUGHT;
+use crate::bottom::Bottom;
+use crate::impact::{Entry, jet_reach};
+use crate::keys::{Body, Motion, Scene};
 
 /// Spacings across the length with 90 % of the peak pressure: 17 give the peak to 2–4 %, 5 to 25 %.
 const PEAK_SPACINGS: f64 = 17.0;
@@ -18,7 +19,7 @@ const PEAK_SPACINGS: f64 = 17.0;
 const STARTING_DRAUGHT: f64 = 16.0;
 
 /// Warnings about each body that enters the water, or that falls short of it.
-pub(super) fn entry_warnings(scene: &Scene) -> Vec<String> {
+pub(crate) fn entry_warnings(scene: &Scene) -> Vec<String> {
     let of = |(body, entry): (&Body, Entry)| {
         let warnings = match entry.final_draught > 0.0 {
             true => of_entry(scene, body, &entry),
@@ -46,15 +47,8 @@ fn held_entries(scene: &Scene) -> Vec<String> {
     scene.held_entries().into_iter().filter_map(told).collect()
 }
 
-/// What compressibility takes of the force on each body.
-pub(super) fn lost_forces(scene: &Scene) -> Vec<String> {
-    let entries = scene.entries();
-    let wet = entries.iter().filter(|(_, entry)| entry.final_draught > 0.0);
-    wet.filter_map(|(body, entry)| Some(scene.about(body) + &lost_force(scene, body, entry)?)).collect()
-}
-
 /// Bodies that end their run in the air.
-pub(super) fn short_of_water_all(scene: &Scene) -> Vec<String> {
+pub(crate) fn short_of_water_all(scene: &Scene) -> Vec<String> {
     let entries = scene.entries();
     let dry = entries.iter().filter(|(_, entry)| entry.final_draught <= 0.0);
     dry.map(|(body, entry)| scene.about(body) + &short_of_water(entry) + turning(body)).collect()
@@ -69,32 +63,6 @@ fn turning(body: &Body) -> &'static str {
 fn short_of_water(entry: &Entry) -> String {
     let above = significant(-entry.final_draught);
     format!("the body does not reach the water: at the end of the run it is {above} m above it")
-}
-
-/// What compressibility takes of an impact's force.
-fn lost_force(scene: &Scene, body: &Body, entry: &Entry) -> Option<String> {
-    if scene.is_cushioned_by(body, entry) {
-        return None; // as soft as it is meant to be
-    }
-    let (root, sound) = (entry.root_speed(), scene.sound_speed());
-    let cure = match sound < WATER_SOUND {
-        true => "raise fluid.sound_speed",
-        false => "sound is as fast as in water, where the force is lower as well",
-    };
-    match known_compressibility_error(root, sound) {
-        None => Some(format!(
-            "the spray root starts at Mach {}: what compressibility takes of the force is known up to 0.3; {cure}",
-            significant(root / sound)
-        )),
-        Some(error) if error > scene.solver.water().compressibility_error * (1.0 + 1e-9) => Some(format!(
-            "compressibility takes about {} % of the force at Mach {} of the spray root; fluid.compressibility_error \
-             admits {} %: {cure}",
-            significant(100.0 * error),
-            significant(root / sound),
-            significant(100.0 * scene.solver.water().compressibility_error)
-        )),
-        Some(_) => None,
-    }
 }
 
 fn of_entry(scene: &Scene, body: &Body, entry: &Entry) -> Vec<String> {

@@ -2,8 +2,7 @@
 
 use settings::significant;
 
-use super::Finding;
-use crate::vocabulary::Verdict;
+use crate::vocabulary::{Finding, Verdict};
 
 /// What tension takes off counts so often in the band [-].
 const TENSION_BAND: f64 = 2.5;
@@ -11,7 +10,7 @@ const TENSION_BAND: f64 = 2.5;
 const MOST_TENSION: f64 = 0.05;
 
 /// GE24: a finding on a force, or on an impulse, off which tension takes a part, both in the same unit.
-pub(super) fn with_tension((verdict, band, why): Finding, tension: [f64; 2], force: [f64; 2]) -> Finding {
+pub fn with_tension((verdict, band, why): Finding, tension: [f64; 2], force: [f64; 2]) -> Finding {
     let along = -(tension[0] * force[0] + tension[1] * force[1]) / (force[0] * force[0] + force[1] * force[1]);
     let share = if along.is_finite() { along.max(0.0) } else { 0.0 };
     if verdict != Verdict::Resolved || share <= MOST_TENSION {

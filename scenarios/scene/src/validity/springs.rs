@@ -3,7 +3,7 @@
 use fsi_coupling::{RigidMotion, Solid, SprungSpec};
 use settings::{Problem, require, significant};
 
-use super::keys::{Body, Motion, Scene, SprungMass};
+use crate::keys::{Body, Motion, Scene, SprungMass};
 
 /// CO35, CO38: the longest steps that the springs of a scene allow [s], by name.
 fn allowed(scene: &Scene) -> Vec<(&str, f64)> {
@@ -25,7 +25,7 @@ pub fn longest_spring_step(scene: &Scene) -> f64 {
 }
 
 /// Refuses a fixed step that is too long for a spring.
-pub(super) fn check_spring_step(scene: &Scene) -> Result<(), Problem> {
+pub(crate) fn check_spring_step(scene: &Scene) -> Result<(), Problem> {
     let Some(step) = scene.time.step.filter(|_| !scene.model.is_theory()) else { return Ok(()) };
     allowed(scene).into_iter().try_for_each(|(name, longest)| {
         let expected = format_args!("at most {} s, which the spring of `{name}` allows", significant(longest));

@@ -1,13 +1,12 @@
 //! Judges the results of panels (THEORY GE19).
 
 use fsi_coupling::{ModesState, PanelState};
-use scene::MODES;
 use settings::significant;
 use structure_fe::Range;
 
-use super::WIDE;
+use crate::keys::MODES;
 use crate::vocabulary::ResultName::{PeakStrain, PeakStress, ReserveFactor};
-use crate::vocabulary::{Named, Quantity, Verdict, Why};
+use crate::vocabulary::{Named, Quantity, Verdict, WIDE, Why};
 
 /// Band of a stress over that of the force, as shares; fitted on elastic drops against half the spacing [-].
 const STRESS_BAND: f64 = 1.3;
@@ -22,7 +21,7 @@ const LARGEST_STRAIN: f64 = 0.05;
 
 /// What a panel, or a structure by its modes, bore.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct StressPeak {
+pub struct StressPeak {
     /// Of the panel; `modes`.
     pub name: String,
     /// Largest magnitude of the stress [Pa].
@@ -116,7 +115,7 @@ impl StressPeak {
 ///
 /// `mean`: largest mean of its stress over the time of GE18 [Pa]; what the peak has above it is as short as the noise of the force.
 /// `resonates`: why it vibrates with the water's sound, where it does. What it may bear is said beside, not in place of, how well it is known.
-pub(super) fn panel_results(
+pub fn panel_results(
     peak: &StressPeak,
     force: Option<Quantity>,
     mean: Option<f64>,

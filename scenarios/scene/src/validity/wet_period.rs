@@ -7,7 +7,7 @@ use settings::significant;
 use sph_core::Solver;
 
 use super::exchange::wet_faces;
-use super::keys::{MODES, Modes, Panel, Scene, line};
+use crate::keys::{MODES, Modes, Panel, Scene, line};
 
 /// Steps in the first wet period with which the step costs the frequency at most 0.25 % (CO33).
 const STEPS_PER_PERIOD: f64 = 30.0;
@@ -78,7 +78,7 @@ pub fn resonant_panels(scene: &Scene) -> Vec<(String, String)> {
 }
 
 /// Panels whose vibration a fixed step does not resolve.
-pub(super) fn unresolved_panels(scene: &Scene) -> Vec<String> {
+pub(crate) fn unresolved_panels(scene: &Scene) -> Vec<String> {
     let Some(step) = scene.time.step else { return Vec::new() };
     let coarse =
         resolved_periods(scene).into_iter().filter(|(_, period)| step * STEPS_PER_PERIOD > *period * (1.0 + 1e-9));

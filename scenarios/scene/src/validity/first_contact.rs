@@ -4,8 +4,9 @@ use fsi_coupling::RigidMotion;
 use settings::{Problem, require, significant};
 use sph_core::Solver;
 
-use super::impact::Entry;
-use super::keys::{Body, Motion, Scene};
+use crate::impact::Entry;
+use crate::keys::{Body, Motion, Scene};
+use crate::vocabulary::{Finding, Verdict};
 
 /// Height of a body that flies in above its place at t = 0 [spacings]: water meets it so much early.
 pub const STANDOFF: f64 = 0.5;
@@ -44,7 +45,7 @@ fn automatic_start(body: &Body, entry: &Entry, solver: Solver, gravity: [f64; 2]
 }
 
 /// When the run of all bodies starts [s]: with the earliest of those that fly in; at 0 where another body cannot be carried back so far.
-pub(super) fn earliest_start(
+pub(crate) fn earliest_start(
     bodies: &[(&Body, Option<Entry>)],
     solver: Solver,
     gravity: [f64; 2],
@@ -57,7 +58,7 @@ pub(super) fn earliest_start(
 }
 
 /// Refuses a start before t = 0 where a body that is not fixed cannot be carried back to it, or would not come down through the air from there.
-pub(super) fn check_start(
+pub(crate) fn check_start(
     start: f64,
     bodies: &[(&Body, Option<Entry>)],
     solver: Solver,
@@ -125,6 +126,71 @@ impl Scene {
         ];
         RigidMotion { position, velocity, ..at_zero }
     }
+}
+
+/// A round bottom's peak needs an averaging time of so many R V/c₀² (GE20) [-].
+const ACOUSTIC_TIMES: f64 = 10.0;
+/// Draught at which the water's mass is a fifth of a round body's, at least (GE22) [spacings].
+const LEAST_ROUND: f64 = 1.25;
+/// Least band of a round bottom's peak through its window (GE20), and that of a radius of one spacing, shares of the force [-].
+const ROUND_BAND: [f64; 2] = [0.05, 5.0];
+
+/// A force on a round bottom.
+pub struct RoundContact {
+    /// Radius R [m].
+    pub radius: f64,
+    /// Gap to the water at the start [m].
+    pub gap: f64,
+    /// Time over which the force is averaged [s].
+    pub window: f64,
+    /// Spacing [m].
+    pub spacing: f64,
+    /// Speed of sound [m/s]; `None` where water is incompressible.
+    pub sound_speed: Option<f64>,
+}
+
+impl RoundContact {
+    /// What may be said of it.
+    pub fn finding(&self, entry: &Entry) -> Finding {
+        let RoundContact { radius, gap, window, spacing, sound_speed } = *self;
+        if sound_speed.is_some() && gap < LEAST_GAP * spacing {
+            let why = format!(
+                "a round bottom that starts on the water meets a layer of particles at once: leave time.start to the program, or \
+                 start the body {} m above",
+                significant(START_GAP * spacing)
+            );
+            return (Verdict::Acoustic, None, Some(why.into()));
+        }
+        let least = sound_speed.map_or(0.0, |c| ACOUSTIC_TIMES * radius * entry.speed / (c * c));
+        if window < least {
+            let why = format!(
+                "it is averaged over {} s; the numerical speed of sound acts on a round bottom for {} s",
+                significant(window),
+                significant(least)
+            );
+            return (Verdict::Acoustic, None, Some(why.into()));
+        }
+        let spacings = entry.peak_draught / spacing;
+        if spacings < LEAST_ROUND {
+            let why = format!(
+                "a light round body loses its speed within {} spacings; {LEAST_ROUND} are needed: {} m would do for \
+                 resolution.spacing",
+                significant(spacings),
+                significant(entry.peak_draught / LEAST_ROUND)
+            );
+            return (Verdict::NotResolved, None, Some(why.into()));
+        }
+        let share = ROUND_BAND[0].max(ROUND_BAND[1] * spacing / radius);
+        (Verdict::Resolved, Some(share), None)
+    }
+}
+
+/// What may be said of a force on a body that starts wet at speed, at a depth [m].
+pub fn wet_start(draught: f64) -> Finding {
+    let wet = significant(draught);
+    let why =
+        format!("the body starts {wet} m deep at speed: the water in its way is hit at once, at an infinite force");
+    (Verdict::Acoustic, None, Some(why.into()))
 }
 
 #[cfg(test)]

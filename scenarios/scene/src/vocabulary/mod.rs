@@ -6,7 +6,7 @@
 //! | a verdict or a status: its name in files, its words on pages | the tables in `verdict` and `status` |
 //! | a column of the curves: its title, its unit | the tables in `columns` |
 //!
-//! What each value *is* for a run is decided in [`results`](crate::results).
+//! What each value *is* for a run is decided by `run::results`, with the rules of `validity`.
 
 mod bandwidth;
 mod columns;
@@ -15,6 +15,7 @@ mod names;
 mod quantity;
 mod results;
 mod status;
+mod taken_back;
 mod verdict;
 
 pub use bandwidth::BandwidthBy;
@@ -25,3 +26,9 @@ pub use quantity::{Quantity, is_withheld};
 pub use results::{Named, Results};
 pub use status::Status;
 pub use verdict::Verdict;
+
+/// Why a number is withheld.
+pub const WIDE: &str = "its band is as large as itself";
+
+/// A verdict, the band as a share where one is known, and why it is not `resolved`.
+pub type Finding = (Verdict, Option<f64>, Option<Why>);

@@ -5,8 +5,8 @@ use settings::{Problem, require, significant};
 use sph_core::Solver;
 use water_entry::waves::linear_wave::LinearWave;
 
-use super::keys::{Beach, Body, GaugeFrame, Scene, SolverSettings, Symmetry, WaveMaker};
-use super::resolve_links::further;
+use crate::keys::{Beach, Body, GaugeFrame, Scene, SolverSettings, Symmetry, WaveMaker};
+use crate::resolve_links::further;
 
 /// Longest stroke over the width of the tank [-].
 const LONGEST_STROKE: f64 = 0.25;
@@ -21,7 +21,7 @@ const STEEP: f64 = 0.5;
 /// H L²/d³ from which a second harmonic does not make the shape of the wave (Madsen 1971) [-].
 const URSELL: f64 = 26.3;
 
-pub(super) fn check_waves(scene: &Scene) -> Result<(), Problem> {
+pub(crate) fn check_waves(scene: &Scene) -> Result<(), Problem> {
     scene.tank.beach.map_or(Ok(()), |beach| check_beach(scene, &beach))?;
     scene.tank.wave_maker.map_or(Ok(()), |maker| check_wave_maker(scene, &maker))
 }
@@ -140,7 +140,7 @@ fn check_way_of_piston(scene: &Scene, end: f64) -> Result<(), Problem> {
 }
 
 /// Warnings about waves that run nevertheless.
-pub(super) fn wave_warnings(scene: &Scene) -> Vec<String> {
+pub(crate) fn wave_warnings(scene: &Scene) -> Vec<String> {
     let (Some(maker), Some(wave)) = (scene.tank.wave_maker, scene.wave()) else { return Vec::new() };
     let (mut warnings, length) = (Vec::new(), wave.length());
     match scene.tank.beach {

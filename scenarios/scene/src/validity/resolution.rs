@@ -1,14 +1,20 @@
-//! Bands of forces and impulses by the draught in spacings (THEORY GE19).
+//! How many spacings a draught, or the length of a peak, needs, and how wide the bands then are (THEORY GE19).
 
-use scene::{Bottom, Entry, LEAST_DRAUGHT, known_compressibility_error};
 use settings::significant;
 
+use crate::bottom::Bottom;
+use crate::impact::Entry;
 use crate::vocabulary::Why;
 
+/// Least draught at a peak (THEORY GE19) [spacings].
+pub const LEAST_DRAUGHT: f64 = 6.0;
+
+/// Bands of a peak pressure by the spacings across the length with 90 % of the peak: least length, share of the pressure [-].
+const PRESSURE_BANDS: [(f64, f64); 2] = [(17.0, 0.04), (5.0, 0.25)];
 /// Band of a peak force times its draught in spacings, weakly compressible and incompressible, shares of the force [-].
 const FORCE_BAND: [f64; 2] = [0.7, 1.0];
 /// The least band of a peak force, a share of it [-].
-pub(super) const LEAST_FORCE_BAND: f64 = 0.03;
+pub const LEAST_FORCE_BAND: f64 = 0.03;
 /// The same of an impulse, of wedges and of round bottoms, each weakly compressible and incompressible, shares of the impulse [-].
 const IMPULSE_BAND: [[f64; 2]; 2] = [[1.0, 2.0], [1.5, 2.0]];
 const LEAST_IMPULSE_BAND: [f64; 2] = [0.025, 0.04];
@@ -18,26 +24,14 @@ const THIN_TIP: [f64; 2] = [0.15, 0.5];
 /// A force with a band wider than this is not resolved [-].
 const WIDEST: f64 = 0.4;
 
-/// Share that compressibility takes of the forces that the bands are fitted to [-].
-const ADMITTED: f64 = 0.01;
-
-/// Share of a force that compressibility takes beyond that, or why it is not known; none where water is incompressible [-].
-pub(super) fn lost_beyond(sound: Option<f64>, entry: &Entry) -> Result<f64, Why> {
-    let mach = sound.map_or(0.0, |sound| entry.root_speed() / sound);
-    let lost = known_compressibility_error(mach, 1.0).ok_or_else(|| {
-        Why::from(format!(
-            "the spray root starts at Mach {}: what compressibility takes of the force is known up to 0.3",
-            significant(mach)
-        ))
-    })?;
-    Ok((lost - ADMITTED).max(0.0))
-}
-
 /// A draught [m], resolved by a spacing [m].
 #[derive(Clone, Copy)]
-pub(super) struct Depth {
+pub struct Depth {
+    /// The draught [m].
     pub draught: f64,
+    /// The spacing [m].
     pub spacing: f64,
+    /// Whether the water is incompressible.
     pub incompressible: bool,
 }
 
@@ -97,6 +91,15 @@ impl Depth {
     }
 }
 
+/// Share of a pressure peak in its band, or why it is not resolved: of the length of the face with 90 % of the peak [spacings].
+pub fn pressure_share(spacings: f64) -> Result<f64, Why> {
+    let band = PRESSURE_BANDS.iter().find(|(least, _)| spacings >= *least);
+    band.map(|(_, share)| *share).ok_or_else(|| {
+        let (length, least) = (significant(spacings), PRESSURE_BANDS[1].0);
+        format!("the length with 90 % of the peak is {length} spacings; {least} are needed").into()
+    })
+}
+
 /// The spacing that would do [m]; none does for a body that is not in the water.
 fn advice(spacing: f64) -> String {
     match spacing > 0.0 {
@@ -107,6 +110,7 @@ fn advice(spacing: f64) -> String {
 
 #[cfg(test)]
 mod tests {
+    use super::super::compressibility::lost_beyond;
     use super::*;
     use crate::load;
 
