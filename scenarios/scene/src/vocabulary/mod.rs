@@ -15,8 +15,8 @@ mod names;
 mod quantity;
 mod results;
 mod status;
-mod taken_back;
 mod verdict;
+mod withdrawn;
 
 pub use bandwidth::BandwidthBy;
 pub use columns::{ColumnTitle, column_title};

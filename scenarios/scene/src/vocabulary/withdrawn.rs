@@ -1,4 +1,4 @@
-//! What the end of a run takes back of its results.
+//! What is known at the end of a run alone and withdraws results.
 
 use super::doubt::{Doubt, Doubts};
 use super::quantity::Quantity;
