@@ -30,8 +30,12 @@ use tracing_subscriber::util::SubscriberInitExt;
 /// Threads for each core, at most: more only wait for each other.
 const MOST_THREADS: usize = 8;
 
+/// Commands that the list leaves out.
+const FOR_DEVELOPERS: &str = "For developers and packagers: validate, chart, stability, bands, bench; schema, completions, man.\n\
+    `splashdown COMMAND --help` describes each.";
+
 #[derive(Parser)]
-#[command(name = "splashdown", version, about = "Water impact and ditching of sections, in two dimensions")]
+#[command(name = "splashdown", version, about = "Water impact and ditching of sections, in two dimensions", after_help = FOR_DEVELOPERS)]
 struct Cli {
     #[command(subcommand)]
     command: Command,
@@ -59,20 +63,25 @@ enum Command {
     /// Run a scene at several spacings and sound speeds and extrapolate a number.
     Study(convergence::StudyArgs),
     /// Chart error against cost, for numbers whose value is known.
+    #[command(hide = true)]
     Chart(work_precision::ChartArgs),
     /// Map where runs are stable, inaccurate or fail, over two parameters, with the theory's boundary.
+    #[command(hide = true)]
     Stability(stability::StabilityArgs),
     /// Run a scene or a landing at many points, each in a process of its own, and tabulate the results.
     Sweep(sweep::SweepArgs),
     /// Land an aeroplane on water by its sections (2D+t).
     Ditch(ditch::DitchArgs),
     /// Measure the speed of this machine and of the steps on it, as ratios in one run.
+    #[command(hide = true)]
     Bench(bench::BenchArgs),
     /// Make the page of a run anew from its folder, or one page that compares several runs.
     Report(report::ReportArgs),
     /// Compare scenes with published data.
+    #[command(hide = true)]
     Validate(experiments::ValidateArgs),
     /// Count how often the error bars of `run --converge` contain an exact value.
+    #[command(hide = true)]
     Bands(experiments::BandsArgs),
     /// Describe every key of scenes and landings, or those that start with a prefix.
     Keywords(keywords::KeywordsArgs),
@@ -81,13 +90,16 @@ enum Command {
     /// Write the frames of a run for ParaView or as tables, or a scene as INDAT and IPART.
     Export(export::ExportArgs),
     /// Print the JSON Schema (draft 2020-12) of a scene file.
+    #[command(hide = true)]
     Schema,
     /// Print the completions of a shell, to be loaded by it.
+    #[command(hide = true)]
     Completions {
         /// The shell.
         shell: clap_complete::Shell,
     },
     /// Print the manual page (roff), with all commands.
+    #[command(hide = true)]
     Man,
 }
 
