@@ -45,9 +45,11 @@ fn both_chunks_of<A: Send, B: Send>(
     chunks.enumerate().for_each(|(c, (a, b))| change(c, a, b));
 }
 
-/// `of(c)` for each of `n`, in order.
+/// `of(c)` for each of `n`, in order. (`collect` would compile a second machinery, for iterators of unknown length.)
 fn collect_of<T: Send>(n: usize, of: &(dyn Fn(usize) -> T + Sync)) -> Vec<T> {
-    (0..n).into_par_iter().map(of).collect()
+    let mut all = Vec::new();
+    (0..n).into_par_iter().map(of).collect_into_vec(&mut all);
+    all
 }
 
 /// `change(c, pieces[c])` for every piece.
@@ -160,15 +162,13 @@ pub(crate) fn for_each_chunk<T: Send>(lists: &mut [T], n: usize, fill: impl Fn(R
     update_pieces(lists, 1, |c, list| fill(chunk(c, CHUNK, n), &mut list[0]));
 }
 
-/// Fill a list for every chunk of `n` targets, with something `made` to work with.
-pub(crate) fn for_each_chunk_with<T: Send, S>(
-    lists: &mut [T],
-    n: usize,
-    made: impl Fn() -> S + Sync + Send,
-    fill: impl Fn(&mut S, Range<usize>, &mut T) + Sync,
-) {
+/// What fills a list for a chunk of targets, with an `S` to work with.
+type Fill<'a, S, T> = dyn Fn(&mut S, Range<usize>, &mut T) + Sync + 'a;
+
+/// Fill a list for every chunk of `n` targets.
+pub(crate) fn for_each_chunk_with<T: Send, S: Default>(lists: &mut [T], n: usize, fill: &Fill<'_, S, T>) {
     let lists = lists.par_iter_mut().enumerate();
-    lists.for_each_init(made, |with, (c, list)| fill(with, chunk(c, CHUNK, n), list));
+    lists.for_each_init(S::default, |with, (c, list)| fill(with, chunk(c, CHUNK, n), list));
 }
 
 /// `parts[c] ← change(targets, chunk)` for every chunk of `out`: changes targets and gives the chunk's part of a sum. Add

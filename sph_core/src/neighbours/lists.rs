@@ -90,7 +90,7 @@ impl Lists {
         assert!(cells.points().len() <= MOST_POINTS, "no more than {MOST_POINTS} particles");
         (self.targets, self.among, self.masked) = (n, among, false);
         self.chunks.resize_with(n.div_ceil(CHUNK), ChunkList::default);
-        parallel::for_each_chunk_with(&mut self.chunks, n, Found::default, |found, targets, list| {
+        parallel::for_each_chunk_with(&mut self.chunks, n, &|found: &mut Found, targets, list| {
             simd::run(true, ListChunk { cells, targets, target: &target, alike: &alike, found, list });
         });
     }
@@ -99,7 +99,7 @@ impl Lists {
     pub(crate) fn retain(&mut self, keep: impl Fn(usize, u32) -> bool + Sync) {
         let (n, among) = (self.chunks.len() * CHUNK, self.among);
         self.masked = true;
-        parallel::for_each_chunk_with(&mut self.chunks, n, Found::default, |found, targets, list| {
+        parallel::for_each_chunk_with(&mut self.chunks, n, &|found: &mut Found, targets, list| {
             let (start, kept) = (&mut found.start, &mut found.entries);
             start.clear();
             start.push(0);
