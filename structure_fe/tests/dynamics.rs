@@ -206,7 +206,7 @@ fn a_thrown_beam_keeps_its_momentum() {
 #[test]
 fn supports_move_as_told() {
     let elements = 8;
-    // The explicit damping force lags by half a step, so its reactions are told to that order only.
+    // The explicit damping force lags by half a step, so its reactions are exact to that order only.
     for (integration, stiffness) in [(TRAPEZOIDAL, 1e-5), (DAMPED, 1e-5), (Integration::CentralDifference, 0.0)] {
         let damping = Damping { mass: 0.0, stiffness };
         let mut dynamics =

@@ -39,7 +39,7 @@ pub struct RigidBody2d {
     checkpoint: Option<(State, Vec<Sprung>, Pose, Vector, f64)>,
 }
 
-/// What a step changes besides rapier's position and velocities.
+/// What a step changes, without rapier's position and velocities.
 #[derive(Clone, Copy, Default, Serialize, Deserialize)]
 struct State {
     angle: f64,

@@ -74,7 +74,7 @@ impl Pistons {
             Scheme::Weak => Pistons::water(added, walls),
             Scheme::AddedMass => {
                 Pistons::water(added, walls);
-                // what the fluid tells an owner: δF = push (arm·δa)
+                // what the fluid passes to an owner: δF = push (arm·δa)
                 let touch = ParticleLoad {
                     at: [0.0; 2],
                     force: [0.0, walls.fy[0]],

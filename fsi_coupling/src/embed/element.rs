@@ -70,7 +70,7 @@ pub struct ElementLimits {
     pub sound_speed: f64,
     /// Steps of the water above which a step of the host is refused [-].
     pub most_substeps: f64,
-    /// Longest step of the water, beside what is stable [s]; infinite where that alone decides.
+    /// Longest step of the water [s], where it is shorter than the stable one; infinite for no limit.
     pub longest_fluid_step: f64,
     /// Shortest step of the host [s].
     pub shortest_step: f64,
@@ -152,7 +152,7 @@ impl FluidElement {
         Ok(Contribution { fluid_steps, fluid_dt, host_dt, work: done, impulse, penetration: self.system.penetration() })
     }
 
-    /// Equal steps of the water, as few as are stable: the rest of the host's step is divided anew before each.
+    /// Equal steps of the water, as few as are stable: the rest of the host's step is divided again before each.
     fn sub_cycle(
         &mut self,
         dt: f64,

@@ -1,4 +1,4 @@
-//! What a section bears at a draught, by each theory: F = A(h) V² + M(h) dV/dt, and the pressures.
+//! Loads of a section at a draught, by each theory: F = A(h) V² + M(h) dV/dt, and the pressures.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 

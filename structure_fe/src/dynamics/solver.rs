@@ -84,7 +84,7 @@ impl Dynamics {
         self.model.at_rest()
     }
 
-    /// Prescribes the motion of a fixed degree of freedom at the end of the following steps, until it is prescribed anew.
+    /// Prescribes the motion of a fixed degree of freedom at the end of the following steps, until it is prescribed again.
     /// Supports are at rest by default. Nodes joined by hinges and welds move together.
     pub fn prescribe(&mut self, node: usize, dof: Dof, motion: SupportMotion) -> Result<(), Error> {
         self.model.prescribe(node, dof, motion)

@@ -34,7 +34,7 @@ pub struct FlexibleInterface {
 
 impl FlexibleInterface {
     /// Of a structure whose motion at the start and, as predicted, at the end of a step of `dt` [s] is `now` and `then`, under
-    /// loads on its nodes besides the fluid's [N/m, N].
+    /// the loads on its nodes that are not the fluid's [N/m, N].
     pub fn new(
         name: &str,
         dynamics: &mut Dynamics,
@@ -85,7 +85,7 @@ impl FlexibleInterface {
         inertia
     }
 
-    /// CO18, CO24: residual of the accelerations under forces on the particles, besides those of the structure's own forces.
+    /// CO18, CO24: residual of the accelerations under forces on the particles, without those of the structure's own forces.
     fn residual_under(&self, fx: &[f64], fy: &[f64], alone: &[[f64; 3]]) -> InterfaceResidual {
         let loads = self.loads(fx.iter().zip(fy).map(|(x, y)| [*x, *y]));
         let caused = self.inertia.clone().solve(&loads).unwrap_or_else(|_| self.change.clone());

@@ -89,7 +89,7 @@ impl ModalInterface {
         inertia
     }
 
-    /// CO18, CO24: residual of the accelerations under forces on the particles, besides those of the structure's own forces.
+    /// CO18, CO24: residual of the accelerations under forces on the particles, without those of the structure's own forces.
     fn residual_under(&self, fx: &[f64], fy: &[f64], own: &[f64]) -> InterfaceResidual {
         let loads = self.loads(fx.iter().zip(fy).map(|(x, y)| [*x, *y]));
         let none = || vec![0.0; self.change.len()];

@@ -3,7 +3,7 @@
 //! | rule | what is summed |
 //! |---|---|
 //! | [`Rule::Reaction`] | the pair forces on every boundary particle: the load of the coupling (FEX_2D) |
-//! | [`Rule::FirstRow`] | pressure × normal × length of the boundary particles of the first row (FEX_2D2) |
+//! | [`Rule::FirstRow`] | pressure × normal × length of the boundary particles of the first layer (FEX_2D2) |
 //! | [`Rule::Gauss`] | pressure at Gauss points of the outline's sides, as a gauge reads it (FEX_2D3) |
 //! | [`Rule::GaussViscous`] | the same with a moving-least-squares pressure, and viscous traction (FEX_2D4) |
 //!
@@ -30,7 +30,7 @@ use crate::coupling::force_rules::placed_outline::{PlacedOutline, PointForce};
 pub enum Rule {
     /// Sum of the reactions of the pairs.
     Reaction,
-    /// Pressure of the first row of boundary particles.
+    /// Pressure of the first layer of boundary particles.
     FirstRow,
     /// Gauged pressure at Gauss points.
     Gauss,

@@ -42,7 +42,7 @@ impl Plane {
     }
 }
 
-/// Forces on body `k` [N/m]: the reactions that move it, and the integral of the pressure over the first row (GE8). Around a body that is
+/// Forces on body `k` [N/m]: the reactions that move it, and the integral of the pressure over the first layer (GE8). Around a body that is
 /// all under water the plane that fits the pressures is integrated exactly, −∇p A with the area A: only what is left has the error of the
 /// rows' lengths and normals. `None` for a body without an outline or a motion.
 pub fn reaction_and_pressure(system: &Coupled, k: usize) -> Option<[[f64; 2]; 2]> {

@@ -108,7 +108,7 @@ impl AsymmetricFlow {
         let (left, on_left) = side::flow(&trial.sides[1], left, step, scale);
         if left.force_coefficient.min(right.force_coefficient) <= 0.0 {
             return Err(refused(
-                "the suction beside the apex exceeds the pressure on the steeper face, and the flow leaves the apex",
+                "the suction next to the apex exceeds the pressure on the steeper face, and the flow leaves the apex",
             ));
         }
         let [(sin_r, cos_r), (sin_l, cos_l)] = [&right, &left].map(|face| face.deadrise_deg.to_radians().sin_cos());

@@ -242,7 +242,7 @@ impl Face {
         if self.added.is_some() { f64::INFINITY } else { rounded.map(of).fold(f64::INFINITY, f64::min) }
     }
 
-    /// Length of what is straight or of one radius beside the keel [m].
+    /// Length of what is straight or of one radius next to the keel [m].
     pub fn first_length(&self) -> f64 {
         self.pieces[0].length
     }

@@ -51,7 +51,7 @@ const FIRST_WIDTH: f64 = 0.8;
 /// Length beyond the chine at which the jet's end leaves it, over the finest element.
 const PASSED: f64 = 2.0;
 
-/// Length of a curved bottom under less than the pressure of the air beside the jet, over the finest element, from which the flow leaves it.
+/// Length of a curved bottom under less than the pressure of the air next to the jet, over the finest element, from which the flow leaves it.
 const DETACHED: f64 = 4.0;
 
 /// Depth of a node in the bottom from which that is wet again, over the length of its element.
@@ -215,8 +215,8 @@ impl EntryFlow {
         let inside = |z: &c64| {
             let on_face = self.face.nearest(*z, false);
             let away = -((z - on_face.z) * on_face.tangent.conj()).im;
-            let beside = self.face.length() < on_face.along && on_face.along < self.face.whole_length(); // not past the chine
-            (away < -INSIDE * size && beside).then_some(on_face)
+            let past_edge = self.face.length() < on_face.along && on_face.along < self.face.whole_length(); // not past the chine
+            (away < -INSIDE * size && past_edge).then_some(on_face)
         };
         let Some((k, on_face)) = underside.z.iter().enumerate().find_map(|(k, z)| Some((k, inside(z)?))) else {
             return self;

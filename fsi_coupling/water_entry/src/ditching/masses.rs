@@ -1,4 +1,4 @@
-//! Masses along a fuselage (THEORY EN28): what its cuts bear and how it bends depends on them.
+//! Masses along a fuselage (THEORY EN28): section forces and bending depend on them.
 
 /// Nodes that the masses stand at.
 const NODES: usize = 61;
@@ -60,7 +60,7 @@ impl Masses {
         Ok(masses)
     }
 
-    /// A mass at a place, on the two nodes beside it.
+    /// A mass at a place, on the two nodes next to it.
     fn put(&mut self, at: f64, mass: f64) {
         let step = self.x[1] - self.x[0];
         let k = (((at - self.x[0]) / step) as usize).min(NODES - 2);

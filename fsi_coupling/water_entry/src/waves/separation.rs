@@ -1,9 +1,9 @@
-//! Waves that run to the right and to the left, told apart by gauges (THEORY GE26).
+//! Waves that run to the right and to the left, separated by gauges (THEORY GE26).
 
 /// A complex amplitude, real and imaginary part [m].
 pub type Amplitude = [f64; 2];
 
-/// Least determinant of the equations over their largest value at which gauges tell the waves apart [-]: (Σ sin²)/n² of the
+/// Least determinant of the equations over their largest value at which gauges separate the waves [-]: (Σ sin²)/n² of the
 /// phases between them; 0 where they are half a wave apart.
 const LEAST: f64 = 0.05;
 

@@ -21,7 +21,7 @@ use super::{FAR, FlowEnded};
 use crate::asymmetric_similarity::AsymmetricFlow;
 use crate::model::{BOUNDARY_ELEMENT_DEADRISES, EntryModel, OutOfRange};
 
-/// Size of the elements beside the jet over that of a symmetric flow, on flat and on steep faces: φ_t in the wedge's axes changes faster
+/// Size of the elements next to the jet over that of a symmetric flow, on flat and on steep faces: φ_t in the wedge's axes changes faster
 /// than that at rest, most on steep faces.
 const SIZES: [f64; 2] = [0.8, 0.6];
 /// Deadrises between which it changes [deg].
@@ -173,7 +173,7 @@ impl RolledFlow {
     }
 }
 
-/// Size of the elements beside the jet of a face over that of a symmetric flow [-].
+/// Size of the elements next to the jet of a face over that of a symmetric flow [-].
 fn element_size(deadrise: f64) -> f64 {
     let ([flat, steep], [of_flat, of_steep]) = (FLAT_AND_STEEP, SIZES);
     let share = ((deadrise.to_degrees() - flat) / (steep - flat)).clamp(0.0, 1.0);
