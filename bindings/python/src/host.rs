@@ -11,7 +11,7 @@ use scene::Scene;
 
 use crate::call::{Guarded, refuse_fork};
 use crate::host_arrays::{check_forces, read_nodes, read_start, write_forces};
-use crate::run::told;
+use crate::run::results;
 use crate::settings::{assignments, text};
 use crate::{arrays, errors};
 
@@ -256,7 +256,7 @@ impl Host {
     fn finish<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyAny>>> {
         let run = self.state.open()?.run.take().ok_or_else(ended)?;
         let Some(outcome) = py.detach(|| run.finish()).map_err(|error| hosted(py, error))? else { return Ok(None) };
-        let (summary, scene, series) = told(py, &outcome, &self.scene)?;
+        let (summary, scene, series) = results(py, &outcome, &self.scene)?;
         let made = py.import("splashdown._run")?.getattr("ended")?.call1((&self.folder, summary, scene, series))?;
         Ok(Some(made))
     }
