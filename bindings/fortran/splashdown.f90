@@ -178,7 +178,7 @@ contains
                            size(nodes%position, 2, c_size_t), forces, contribution), stat, message)
   end subroutine
 
-  !> Remember the present state.
+  !> Store the present state.
   subroutine splashdown_save(element, stat, message)
     type(splashdown_element), intent(in) :: element
     integer, intent(out), optional :: stat

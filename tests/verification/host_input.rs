@@ -1,6 +1,6 @@
 //! The embedding element: what is refused, with which words; what is sized and shown.
 
-use evidence::door::{MASS, bits, element, moved, placed, spec, wedge_of_nodes};
+use evidence::host_wedge::{MASS, bits, element, moved, placed, spec, wedge_of_nodes};
 use fsi_coupling::Motion;
 use fsi_coupling::embed::{FluidElementSpec, HostError, HostNodes, HostStep, Topology};
 

@@ -351,7 +351,7 @@ enum splashdown_status splashdown_contribute(struct splashdown_element *element,
                                              struct splashdown_contribution *contribution);
 
 /**
- * Remember the present state; replaces the one remembered before. A failed element has none: SPLASHDOWN_FAILED.
+ * Store the present state; it replaces the one stored before. A failed element has none: SPLASHDOWN_FAILED.
  */
 enum splashdown_status splashdown_save(struct splashdown_element *element);
 
@@ -361,7 +361,7 @@ enum splashdown_status splashdown_save(struct splashdown_element *element);
 enum splashdown_status splashdown_restore(struct splashdown_element *element);
 
 /**
- * The nodes now, as the water sees them: `n` nodes into arrays of the caller, as of splashdown_scene_nodes.
+ * The nodes at the present time of the water: `n` nodes into arrays of the caller, as of splashdown_scene_nodes.
  *
  * Memory: `positions` and `velocities` are NULL or of 2n values, `rotations` and `spins` NULL or of n values.
  */

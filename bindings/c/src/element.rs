@@ -134,7 +134,7 @@ pub unsafe extern "C" fn splashdown_contribute(
     })
 }
 
-/// Remember the present state; replaces the one remembered before. A failed element has none: SPLASHDOWN_FAILED.
+/// Store the present state; it replaces the one stored before. A failed element has none: SPLASHDOWN_FAILED.
 #[unsafe(no_mangle)]
 pub extern "C" fn splashdown_save(element: *mut splashdown_element) -> splashdown_status {
     guarded(|| {
@@ -156,7 +156,7 @@ pub extern "C" fn splashdown_restore(element: *mut splashdown_element) -> splash
     guarded(|| ELEMENTS.with(element, |element| Ok(element.run().restore()?)))
 }
 
-/// The nodes now, as the water sees them: `n` nodes into arrays of the caller, as of splashdown_scene_nodes.
+/// The nodes at the present time of the water: `n` nodes into arrays of the caller, as of splashdown_scene_nodes.
 ///
 /// Memory: `positions` and `velocities` are NULL or of 2n values, `rotations` and `spins` NULL or of n values.
 #[unsafe(no_mangle)]

@@ -223,7 +223,7 @@ impl Host {
         snapshot_dict(py, snapshot)
     }
 
-    /// Remember the present state; it replaces the one remembered before. A host that failed remembers nothing.
+    /// Store the present state; it replaces the one stored before. A host that failed stores nothing.
     fn save(&self) -> PyResult<()> {
         self.state.open()?.running()?.save();
         Ok(())

@@ -1,4 +1,4 @@
-//! A free rigid body, moved by rapier. The only file that knows rapier.
+//! A free rigid body, moved by rapier. The only file that uses rapier.
 //!
 //! rapier is set for physics, not games: no gravity of its own, one solver iteration (its user force is
 //! frozen over iterations, which feeds energy into stiff external forces), no sleeping, no velocity cap,

@@ -106,10 +106,10 @@ impl FluidElement {
     }
 
     /// The water goes through one step of the host with the nodes, which move smoothly to where `step` says, in as many equal
-    /// steps of its own as it needs; `nodal_forces` becomes the mean force on each node, `[F_x, F_y, M]` [N/m, N/m, N]:
+    /// steps of the water as are needed; `nodal_forces` becomes the mean force on each node, `[F_x, F_y, M]` [N/m, N/m, N]:
     /// times Δt they are the impulse that the water lost, to rounding (THEORY CO31).
     ///
-    /// A refused input changes nothing. A step that fails leaves the element to be looked at or restored.
+    /// A refused input changes nothing. After a step that failed the element can be read and restored.
     pub fn contribute(&mut self, step: HostStep<'_>, nodal_forces: &mut [[f64; 3]]) -> Result<Contribution, HostError> {
         self.contribute_observed(step, nodal_forces, |_| ())
     }
@@ -251,7 +251,7 @@ impl FluidElement {
         self.system.fluid.time()
     }
 
-    /// Where the nodes are now, as the water sees them.
+    /// The nodes at the present time of the water.
     pub fn nodes(&self) -> HostNodes {
         let shared = self.link.shared.open();
         if shared.elapsed >= shared.path.duration() {
@@ -261,7 +261,7 @@ impl FluidElement {
         }
     }
 
-    /// Forces of the water on the nodes at this very moment, to predict the next step with.
+    /// Forces of the water on the nodes now, to predict the next step with.
     pub fn forces_now(&self) -> Vec<[f64; 3]> {
         self.link.shared.open().now.clone()
     }
@@ -273,7 +273,7 @@ impl FluidElement {
         self.system.stable_dt().map_err(refused)
     }
 
-    /// Remember the present state; replaces the one remembered before.
+    /// Store the present state; it replaces the one stored before.
     pub fn save(&mut self) {
         if self.broken.is_none() {
             self.system.checkpoint();

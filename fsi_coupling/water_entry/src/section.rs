@@ -1,4 +1,4 @@
-//! The bottom of a symmetric body, as entry theories see it, and which bottoms each model holds for.
+//! The bottom of a symmetric body for entry theories, and the bottoms that each model holds for.
 
 use super::model::{EntryModel, OutOfRange};
 

@@ -132,7 +132,7 @@ impl Dynamics {
     }
 
     /// Rebuilds the equations for the ruptures of a state. Steps, and all methods that change a state, do so themselves;
-    /// a caller that restores a state from before a rupture calls it before it asks for momenta, energies or reactions.
+    /// a caller that restores a state from before a rupture calls it before it reads momenta, energies or reactions.
     pub fn apply_ruptures(&mut self, state: &State) -> Result<(), Error> {
         let broken: Vec<usize> = state.ruptures.iter().map(|rupture| rupture.node).collect();
         let Rule::Trapezoidal(rule) = &mut self.rule else { return Ok(()) };

@@ -1,4 +1,4 @@
-//! An owner of walls that bends, as coupling schemes see it: an acceleration for each degree of freedom (THEORY CO18).
+//! The interface of a flexible body to coupling schemes: an acceleration for each degree of freedom (THEORY CO18).
 
 use sph_core::walls::interface::{InterfaceDynamics, InterfaceLoad, InterfaceResidual, ParticleLoad};
 use sph_core::{WallForces, WallsMut};
@@ -20,7 +20,7 @@ pub struct FlexibleInterface {
     change: Field,
     /// What the structure's forces alone would change: of the predicted motion, without the fluid.
     alone: Field,
-    /// Inertia as a step of the structure sees it, M + θ²Δt²K + θΔt C.
+    /// Inertia in a step of the structure, M + θ²Δt²K + θΔt C.
     inertia: EffectiveInertia,
     /// Forces on the structure from anything but the fluid, less what the predicted accelerations need [N/m, N].
     residual: Field,

@@ -1,4 +1,4 @@
-//! A body with modes, as coupling schemes see it: an acceleration for each unknown (THEORY CO18, CO34).
+//! The interface of a body with modes to coupling schemes: an acceleration for each unknown (THEORY CO18, CO34).
 
 use std::sync::Arc;
 
@@ -18,7 +18,7 @@ pub struct ModalInterface {
     predicted: Vec<f64>,
     /// What the accelerations now supposed are beyond these.
     change: Vec<f64>,
-    /// Inertia as a step sees it (BE29).
+    /// Inertia in a step (BE29).
     inertia: Mat<f64>,
     /// Forces from anything but the fluid, less what the predicted accelerations need; at the end, and in the mean of the step.
     residual: [Vec<f64>; 2],

@@ -8,7 +8,7 @@ use crate::coupling::force_rules::placed_outline::{PlacedOutline, PointForce};
 impl PlacedOutline<'_> {
     /// FEX_2D2: −p n ℓ on the surface above the first layer; ℓ reaches half way to the neighbours along the outline. The
     /// pressure is the boundary particle's, carried to the surface by ρ₀(g − a_w)·n, times the place's wetness.
-    pub(super) fn first_row(&self, k: usize, probe: &Probe<'_>) -> Vec<PointForce> {
+    pub(super) fn first_layer(&self, k: usize, probe: &Probe<'_>) -> Vec<PointForce> {
         self.pressed(k, |at, p| probe.wetness(at) * p)
     }
 

@@ -69,10 +69,10 @@ pub fn force_rules(system: &Coupled, k: usize, panel: f64) -> Option<[Load; 4]> 
     let outline_now = PlacedOutline::of(system, body)?;
     let reactions = outline_now.nodal_loads(&outline_now.reactions(k));
     let probe = Probe::new(&system.fluid);
-    let first_row = outline_now.nodal_loads(&outline_now.first_row(k, &probe));
+    let first_layer = outline_now.nodal_loads(&outline_now.first_layer(k, &probe));
     let gauss = outline_now.integrated(panel, |at, side| outline_now.gauged(&probe, at, side));
     let viscous = outline_now.integrated(panel, |at, side| outline_now.fitted(&probe, at, side));
-    Some([reactions, first_row, gauss, viscous].map(|corners| Load {
+    Some([reactions, first_layer, gauss, viscous].map(|corners| Load {
         resultant: resultant(&outline_now.corners, &corners, outline_now.motion.position),
         corners,
     }))

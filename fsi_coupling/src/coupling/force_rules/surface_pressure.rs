@@ -62,7 +62,7 @@ pub fn reaction_and_pressure(system: &Coupled, k: usize) -> Option<[[f64; 2]; 2]
         let rest = sum(outline_now.pressed(k, |at, p| p - plane.at(at)));
         [0, 1].map(|c| rest[c] - plane.gradient[c] * outline_now.area())
     } else {
-        sum(outline_now.first_row(k, &probe))
+        sum(outline_now.first_layer(k, &probe))
     };
     Some([sum(outline_now.reactions(k)), pressed])
 }

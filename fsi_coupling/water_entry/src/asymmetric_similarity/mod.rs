@@ -21,7 +21,7 @@ use system::System;
 type Known = ([f64; 2], Result<AsymmetricFlow, NoFlow>);
 
 thread_local! {
-    /// The last one: a scene asks for it several times.
+    /// The last one: a scene needs it several times.
     static LAST: RefCell<Option<Known>> = const { RefCell::new(None) };
 }
 

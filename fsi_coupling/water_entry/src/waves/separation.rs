@@ -38,7 +38,7 @@ mod tests {
 
     /// Two waves that were put together are found again, by two gauges and by more.
     #[test]
-    fn waves_that_were_added_are_told_apart() {
+    fn waves_that_were_added_are_separated() {
         let (k, right, left) = (2.1, [0.03, -0.01], [0.002, 0.004]);
         let at = |x: f64| {
             let (sin, cos) = (k * x).sin_cos();
