@@ -14,10 +14,10 @@
 pub mod bare;
 #[path = "support/column.rs"]
 pub mod column;
-#[path = "support/host_wedge.rs"]
-pub mod host_wedge;
 #[path = "support/heave.rs"]
 pub mod heave;
+#[path = "support/host_wedge.rs"]
+pub mod host_wedge;
 #[path = "support/landing.rs"]
 pub mod landing;
 #[path = "support/light.rs"]

@@ -68,7 +68,10 @@ impl RigidBody2d {
             return Err(wrong("inertia", spec.inertia));
         }
         if let Some(sprung) = spec.sprung.iter().find(|_| spec.free != [false, true, false]) {
-            let reason = format!("`{}` on its spring needs a body that is free in y alone", sprung.name);
+            let reason = format!(
+                "given free = {:?} with `{}` on its spring, expected a body that is free in y alone",
+                spec.free, sprung.name
+            );
             return Err(BodyError::Structure { name: spec.name.clone(), reason });
         }
         let mut world = PhysicsWorld::new();

@@ -137,7 +137,7 @@ impl Topology {
         Topology { rotations: true, ..self }
     }
 
-    /// With masses [kg/m], one a node.
+    /// With masses [kg/m], one for each node.
     pub fn weighing(self, masses: Vec<f64>) -> Topology {
         Topology { masses, ..self }
     }

@@ -46,7 +46,7 @@ impl Loads {
         if !model.is_formula() {
             return Err(OutOfRange {
                 what: format!("\"{}\"", model.name()),
-                range: "loads at a draught need a formula".into(),
+                range: "loads at a draught by \"von_karman\", \"wagner\", \"mlm\" or \"similarity\"".into(),
                 next: EntryModel::Mlm,
             });
         }

@@ -34,7 +34,7 @@ pub struct Section {
 impl Section {
     /// Corners [m] from the keel to the chine, shape (n, 2); the first is the origin of the section.
     pub fn new(corners: &[[f64; 2]]) -> Result<Section, OutOfRange> {
-        let [x0, y0] = *corners.first().ok_or_else(|| OutOfRange::not_a_section("no corners"))?;
+        let [x0, y0] = *corners.first().ok_or_else(|| OutOfRange::not_a_section("one without corners"))?;
         let corners: Vec<[f64; 2]> = corners.iter().map(|[x, y]| [x - x0, y - y0]).collect();
         if corners.len() < 2 || corners.windows(2).any(|w| w[1][0] <= w[0][0]) {
             return Err(OutOfRange::not_a_section("a bottom whose half breadth does not grow from keel to chine"));

@@ -62,7 +62,7 @@ impl ModalStructure {
                 isolate(&mut mass, k);
             }
         }
-        let reason = "the generalised masses are smaller than what the nodes' masses carry in the shapes, or a frame that is free has no mass";
+        let reason = "the mass matrix is not positive definite: the generalised masses are smaller than those of the nodes' masses in the shapes, or a frame that is free has no mass";
         let failed = |_| Error::LinearAlgebra { unknowns: self.unknowns(), reason: reason.into() };
         mass.llt(Side::Lower).map(|_| ()).map_err(failed)
     }

@@ -70,6 +70,14 @@ pub struct NoFlow {
     pub why: &'static str,
 }
 
+impl NoFlow {
+    /// The wedge, as the case outside a range.
+    pub(crate) fn as_case(&self) -> String {
+        let NoFlow { left_deg, right_deg, why } = self;
+        format!("one with deadrises of {left_deg:.2} and {right_deg:.2} degrees ({why})")
+    }
+}
+
 impl AsymmetricFlow {
     /// For the deadrises of the left and the right face [rad]; a symmetric wedge of deadrise β that is rolled by r counter-clockwise has β − r and
     /// β + r.
@@ -97,7 +105,7 @@ impl AsymmetricFlow {
         let refused = |why| NoFlow { left_deg, right_deg, why };
         let [least, most] = DEADRISES;
         if !(least..=most).contains(&left_deg) || !(least..=most).contains(&right_deg) {
-            return Err(refused("faces of 4 to 80 degrees"));
+            return Err(refused("expected faces of 4 to 80 degrees"));
         }
         let grid = Grid::new(step);
         let trial = solve::solve(&grid, 0.5 * (left + right), 0.5 * (right - left))

@@ -88,7 +88,7 @@ impl FlowEntry<'_> {
         if steps.len() < 2 {
             return Err(OutOfRange {
                 what: format!("one whose flow breaks up at once, at a draught of {begin:.4} m"),
-                range: "boundary elements follow a section on its way down".into(),
+                range: "sections on their way down".into(),
                 next: EntryModel::Wcsph,
             });
         }
@@ -110,7 +110,7 @@ impl FlowEntry<'_> {
             };
             OutOfRange {
                 what: format!("{why} {at}"),
-                range: "boundary elements follow a section on its way down, to a draught of its breadth".into(),
+                range: "sections on their way down, to a draught of their breadth".into(),
                 next: EntryModel::Wcsph,
             }
         });

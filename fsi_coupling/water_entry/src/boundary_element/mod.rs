@@ -79,28 +79,29 @@ impl EntryFlow {
         let refused =
             |what: String, range: &str| Err(OutOfRange { what, range: range.into(), next: EntryModel::Wcsph });
         if !(draught > 0.0 && draught.is_finite() && speed > 0.0 && speed.is_finite()) {
-            let range = "boundary elements need a draught and a downward speed above zero";
-            return refused(format!("{draught} m and {speed} m/s"), range);
+            let range = "draughts and downward speeds above zero";
+            return refused(format!("a draught of {draught} m and a speed of {speed} m/s"), range);
         }
         let Some(mut flow) = EntryFlow::first(section, draught, speed, KEEL_DEG) else {
-            return refused("one of this deadrise".into(), "boundary elements start from the similarity solution");
+            let deadrise = section.slope(0.0).atan().to_degrees();
+            return refused(format!("a deadrise of {deadrise:.2} degrees"), "deadrises with a similarity solution");
         };
         let half_breadth = section.followed_half_breadth();
         if draught > section.wagner_draught(half_breadth) {
-            let range = "boundary elements begin with dry chines";
-            return refused(format!("{} m of breadth at a draught of {draught} m", 2.0 * half_breadth), range);
+            let range = "sections with dry chines at the start";
+            return refused(format!("one of {} m of breadth at a draught of {draught} m", 2.0 * half_breadth), range);
         }
         if section.radius().is_none() {
             // a wedge's flow begins at any draught
             flow = if section.is_followed_as_wedge() { flow.scaled_to(draught) } else { flow };
         } else if draught < flow.draught {
-            let range = format!("boundary elements follow a round bottom from a draught of {} m on", flow.draught);
-            return refused(format!("{draught} m"), &range);
+            let range = format!("round bottoms from a draught of {} m on", flow.draught);
+            return refused(format!("one at a draught of {draught} m"), &range);
         }
         while flow.draught < draught {
             let ended = |_: FlowEnded| OutOfRange {
-                what: format!("a draught of {draught} m"),
-                range: "boundary elements could not follow the bottom to where it begins".into(),
+                what: format!("one whose flow ends before a draught of {draught} m"),
+                range: "bottoms that boundary elements follow to the draught of the start".into(),
                 next: EntryModel::Wcsph,
             };
             flow.step(|_| 0.0).map_err(ended)?;
