@@ -3,10 +3,10 @@
 //! - `verification`: exact answers and observed orders of convergence.
 //! - `validation`: experiments and others' solutions, as data for `splashdown validate`.
 //! - `regression`: frozen counters of our own runs, which say nothing about physics.
-//! - `stability`: known failures of the method, each asserted, with its remedy beside it.
+//! - `stability`: known failures of the method, each asserted, with its remedy.
 //!
 //! A fifth, `contract`, drives the `splashdown` command as its users do. This library holds what the kinds share:
-//! coarse [`systems`] to step, a wedge at the host's [`door`], [`bare`] fluids without bodies, a hand-made [`load`] to push
+//! coarse [`systems`] to step, a wedge of a host's nodes ([`host_wedge`]), [`bare`] fluids without bodies, a hand-made [`load`] to push
 //! bodies with, a plain [`landing`], a [`light`] box, linear theory of [`heave`], small [`statistics`], and whether tests
 //! take their [`long`] variants.
 
@@ -14,10 +14,10 @@
 pub mod bare;
 #[path = "support/column.rs"]
 pub mod column;
-#[path = "support/door.rs"]
-pub mod door;
 #[path = "support/heave.rs"]
 pub mod heave;
+#[path = "support/host_wedge.rs"]
+pub mod host_wedge;
 #[path = "support/landing.rs"]
 pub mod landing;
 #[path = "support/light.rs"]

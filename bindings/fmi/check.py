@@ -44,17 +44,17 @@ class Unit:
 
 
 class Instance:
-    """An instance with variables by name; `said` holds its messages."""
+    """An instance with variables by name; `messages` holds its messages."""
 
     def __init__(self, unit, token=None):
-        self.unit, self.said = unit, []
+        self.unit, self.messages = unit, []
         self.fmu = FMU3Slave(
             guid=token or unit.description.guid, modelIdentifier="splashdown", unzipDirectory=unit.folder, instanceName="a"
         )
-        self.fmu.instantiate(logMessage=self.hear)
+        self.fmu.instantiate(logMessage=self.log)
 
-    def hear(self, _environment, status, category, message):
-        self.said.append((status, message.decode()))
+    def log(self, _environment, status, category, message):
+        self.messages.append((status, message.decode()))
 
     def set(self, name, value):
         reference = [self.unit.references[name]]
@@ -101,12 +101,12 @@ class Drop:
 
 def refused(instance, call, status, words):
     """The call must end with this status and a message that holds the words."""
-    before = len(instance.said)
+    before = len(instance.messages)
     try:
         call()
     except FMICallException as error:
-        said = " ".join(text for _, text in instance.said[before:])
-        assert error.status == status and said and words in said, (error.status, said)
+        logged = " ".join(text for _, text in instance.messages[before:])
+        assert error.status == status and logged and words in logged, (error.status, logged)
         return
     raise AssertionError(f"expected a refusal: {words}")
 

@@ -52,21 +52,21 @@ contains
   end function
 
   !> How a call ended, to the caller: by stat and message, or by the end of the program.
-  subroutine tell(status, stat, message, text)
+  subroutine return_status(status, stat, message, text)
     integer(c_int), intent(in) :: status
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: message
     character(len=*), intent(in), optional :: text
-    character(len=:), allocatable :: said
+    character(len=:), allocatable :: reason
     if (present(stat)) stat = status
     if (status == SPLASHDOWN_OK) return
     if (present(text)) then
-      said = text
+      reason = text
     else
-      said = last_message()
+      reason = last_message()
     end if
-    if (present(message)) message = said
-    if (.not. present(stat)) error stop "splashdown: "//said
+    if (present(message)) message = reason
+    if (.not. present(stat)) error stop "splashdown: "//reason
   end subroutine
 
   !> True, with stat and message, unless the arrays of nodes have one length and forces, where given, has (3, n).
@@ -84,7 +84,7 @@ contains
     if (.not. wrong .and. allocated(nodes%rotation)) wrong = size(nodes%rotation) /= n
     if (.not. wrong .and. allocated(nodes%spin)) wrong = size(nodes%spin) /= n
     if (.not. wrong .and. present(forces)) wrong = any(shape(forces) /= [3, n])
-    if (wrong) call tell(SPLASHDOWN_LENGTH, stat, message, "arrays of nodes: expected position(2, n), velocity(2, n), "// &
+    if (wrong) call return_status(SPLASHDOWN_LENGTH, stat, message, "arrays of nodes: expected position(2, n), velocity(2, n), "// &
                          "rotation(n) and spin(n) or none, forces(3, n)")
   end function
 
@@ -93,7 +93,7 @@ contains
     integer, intent(in) :: count
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: message
-    call tell(c_set_threads(int(max(count, 0), c_size_t)), stat, message)
+    call return_status(c_set_threads(int(max(count, 0), c_size_t)), stat, message)
   end subroutine
 
   !> Specify: a built-in scene or the path of a TOML file, with settings "key=value"; trailing blanks do not count.
@@ -111,7 +111,7 @@ contains
       texts(k) = trim(settings(k))//c_null_char
       pointers(k) = c_loc(texts(k) (1:1))
     end do
-    call tell(c_open(trim(scene)//c_null_char, pointers, size(settings, kind=c_size_t), interface_kind, opened%handle), &
+    call return_status(c_open(trim(scene)//c_null_char, pointers, size(settings, kind=c_size_t), interface_kind, opened%handle), &
               stat, message)
   end subroutine
 
@@ -121,7 +121,7 @@ contains
     type(splashdown_scene_sizes), intent(inout) :: sizes
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: message
-    call tell(c_sizes(scene%handle, sizes), stat, message)
+    call return_status(c_sizes(scene%handle, sizes), stat, message)
   end subroutine
 
   !> The nodes at the start, allocated here, with the motion that the scene gives them.
@@ -138,7 +138,7 @@ contains
       if (sizes%rotations == 1) allocate (nodes%rotation(sizes%nodes), nodes%spin(sizes%nodes))
       status = c_scene_nodes(scene%handle, nodes%position, nodes%velocity, nodes%rotation, nodes%spin, sizes%nodes)
     end if
-    call tell(status, stat, message)
+    call return_status(status, stat, message)
   end subroutine
 
   !> Record the run in a folder; replace a run that is there, or refuse the folder. splashdown_finish writes the report.
@@ -148,7 +148,7 @@ contains
     logical, intent(in) :: replace
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: message
-    call tell(c_record(scene%handle, trim(folder)//c_null_char, merge(1_c_int32_t, 0_c_int32_t, replace)), stat, message)
+    call return_status(c_record(scene%handle, trim(folder)//c_null_char, merge(1_c_int32_t, 0_c_int32_t, replace)), stat, message)
   end subroutine
 
   !> Build the water at the start, around nodes that stand where splashdown_scene_nodes has them. The scene is consumed.
@@ -159,7 +159,7 @@ contains
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: message
     if (uneven(nodes, stat, message)) return
-    call tell(c_build(scene%handle, nodes%position, nodes%velocity, nodes%rotation, nodes%spin, &
+    call return_status(c_build(scene%handle, nodes%position, nodes%velocity, nodes%rotation, nodes%spin, &
                       size(nodes%position, 2, c_size_t), element%handle), stat, message)
   end subroutine
 
@@ -174,16 +174,16 @@ contains
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: message
     if (uneven(nodes, stat, message, forces)) return
-    call tell(c_contribute(element%handle, dt, nodes%position, nodes%velocity, nodes%rotation, nodes%spin, &
+    call return_status(c_contribute(element%handle, dt, nodes%position, nodes%velocity, nodes%rotation, nodes%spin, &
                            size(nodes%position, 2, c_size_t), forces, contribution), stat, message)
   end subroutine
 
-  !> Remember the present state.
+  !> Store the present state.
   subroutine splashdown_save(element, stat, message)
     type(splashdown_element), intent(in) :: element
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: message
-    call tell(c_save(element%handle), stat, message)
+    call return_status(c_save(element%handle), stat, message)
   end subroutine
 
   !> Return to the state last saved.
@@ -191,7 +191,7 @@ contains
     type(splashdown_element), intent(in) :: element
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: message
-    call tell(c_restore(element%handle), stat, message)
+    call return_status(c_restore(element%handle), stat, message)
   end subroutine
 
   !> The nodes now, into arrays that have their lengths already, such as those of splashdown_scene_nodes.
@@ -201,7 +201,7 @@ contains
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: message
     if (uneven(nodes, stat, message)) return
-    call tell(c_nodes(element%handle, nodes%position, nodes%velocity, nodes%rotation, nodes%spin, &
+    call return_status(c_nodes(element%handle, nodes%position, nodes%velocity, nodes%rotation, nodes%spin, &
                       size(nodes%position, 2, c_size_t)), stat, message)
   end subroutine
 
@@ -211,7 +211,7 @@ contains
     real(c_double), intent(inout), contiguous :: forces(:, :)
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: message
-    call tell(c_forces_now(element%handle, forces, size(forces, kind=c_size_t)/3), stat, message)
+    call return_status(c_forces_now(element%handle, forces, size(forces, kind=c_size_t)/3), stat, message)
   end subroutine
 
   !> Time of the water [s].
@@ -220,7 +220,7 @@ contains
     real(c_double), intent(inout) :: time
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: message
-    call tell(c_number(element%handle, time), stat, message)
+    call return_status(c_number(element%handle, time), stat, message)
   end subroutine
 
   !> Longest step that the water could take next [s].
@@ -229,7 +229,7 @@ contains
     real(c_double), intent(inout) :: dt
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: message
-    call tell(c_fluid_dt(element%handle, dt), stat, message)
+    call return_status(c_fluid_dt(element%handle, dt), stat, message)
   end subroutine
 
   !> Number of the water's particles now.
@@ -238,7 +238,7 @@ contains
     integer(c_size_t), intent(inout) :: count
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: message
-    call tell(c_particle_count(element%handle, count), stat, message)
+    call return_status(c_particle_count(element%handle, count), stat, message)
   end subroutine
 
   !> Positions x, y [m], velocities u, v [m/s], pressures p [Pa] and spacings [m] of the water's particles.
@@ -249,7 +249,7 @@ contains
     character(len=*), intent(inout), optional :: message
     integer(c_size_t) :: length
     length = min(size(x), size(y), size(u), size(v), size(p), size(spacing))
-    call tell(c_particles(element%handle, x, y, u, v, p, spacing, length), stat, message)
+    call return_status(c_particles(element%handle, x, y, u, v, p, spacing, length), stat, message)
   end subroutine
 
   !> The present state as bytes, allocated here, to continue in another process.
@@ -264,7 +264,7 @@ contains
     status = c_state_size(element%handle, length)
     allocate (bytes(length))
     if (status == SPLASHDOWN_OK) status = c_state_write(element%handle, bytes, length)
-    call tell(status, stat, message)
+    call return_status(status, stat, message)
   end subroutine
 
   !> Take the state of an element that was built alike.
@@ -273,7 +273,7 @@ contains
     integer(c_int8_t), intent(in), contiguous :: bytes(:)
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: message
-    call tell(c_state_read(element%handle, bytes, size(bytes, kind=c_size_t)), stat, message)
+    call return_status(c_state_read(element%handle, bytes, size(bytes, kind=c_size_t)), stat, message)
   end subroutine
 
   !> End the run; write summary and report where it is recorded. The element is consumed.
@@ -281,7 +281,7 @@ contains
     type(splashdown_element), intent(in) :: element
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: message
-    call tell(c_finish(element%handle), stat, message)
+    call return_status(c_finish(element%handle), stat, message)
   end subroutine
 
   !> Free an element without ending its run.
@@ -289,7 +289,7 @@ contains
     type(splashdown_element), intent(in) :: element
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: message
-    call tell(c_free_element(element%handle), stat, message)
+    call return_status(c_free_element(element%handle), stat, message)
   end subroutine
 
   !> Free a scene that was not built.
@@ -297,6 +297,6 @@ contains
     type(splashdown_scene), intent(in) :: scene
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: message
-    call tell(c_free_scene(scene%handle), stat, message)
+    call return_status(c_free_scene(scene%handle), stat, message)
   end subroutine
 end module

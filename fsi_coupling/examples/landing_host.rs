@@ -1,9 +1,9 @@
-//! A landing-dynamics program of its own, with water under it.
+//! A program for landing dynamics that uses the water element.
 //!
 //! A fuselage section comes down on water: a shell (heave and pitch) and a cabin floor on a spring and a damper. The
 //! program keeps its own loop, its own integrator (Runge & Kutta's of fourth order) and its own step, which it controls by
-//! the error of the water's force that it predicted: a step whose error is too large is taken back and redone shorter. All it
-//! knows of the water is four calls: `size`, `build`, `contribute`, `save` and `restore`.
+//! the error of the water's force that it predicted: a step whose error is too large is taken back and redone shorter. It
+//! uses five calls of the water element: `size`, `build`, `contribute`, `save` and `restore`.
 //!
 //! ```sh
 //! cargo run --release -p fsi_coupling --example landing_host
@@ -109,7 +109,7 @@ fn main() -> Result<(), HostError> {
         1e-6 * sized.bytes() as f64,
         sized.fluid_dt()
     );
-    sized.warnings().iter().for_each(|warning| println!("mind: {warning}"));
+    sized.warnings().iter().for_each(|warning| println!("warning: {warning}"));
     let mut element = sized.build(&start)?;
 
     let mut forces = vec![[0.0; 3]; corners.len()];
@@ -120,7 +120,7 @@ fn main() -> Result<(), HostError> {
     while time < END {
         dt = dt.min(END - time).max(1e-9);
         element.save();
-        // predict with the water's last mean force, see what it would have been
+        // predict with the water's last mean force, and find the mean force of this step
         let end = runge_kutta(&state, water, dt);
         let there = nodes(&corners, &end);
         let mut given = element.contribute(HostStep { dt, nodes: &there }, &mut forces)?;
@@ -142,7 +142,7 @@ fn main() -> Result<(), HostError> {
             found = resultant(&there, [end[0][0], end[0][1]], &forces);
             redone += 1;
         }
-        // the shell is where the water saw it; its velocities take the impulse that the water gave
+        // the shell stays where it was predicted; its velocities take the impulse of the water
         let kick = [gap[0] / SHELL, gap[1] / SHELL, gap[2] / INERTIA, 0.0].map(|a| dt * a);
         state = [end[0], [0, 1, 2, 3].map(|k| end[1][k] + kick[k])];
         (water, time) = (found, time + dt);

@@ -2,8 +2,11 @@
 //! act on it.
 //!
 //! [`geometry`] turns shapes into particles, [`bodies`] has the contract of a body and the bodies, [`coupling`] the step of fluid and
-//! bodies together, [`embed`] the element for
-//! programs with a time loop of their own.
+//! bodies together, [`embed`] the element for programs with a time loop of their own.
+//!
+//! Runnable examples, by `cargo run --release -p fsi_coupling --example NAME`: `wedge_drop` against a theory, `floating_box` and its draught,
+//! `joined_bodies` on a slider with a spring, `flexible_panel` under water, `host_element` around the nodes of another program; and
+//! `landing_host`, a program for landing dynamics that controls its own step.
 //!
 //! A wedge falls into a tank of water:
 //! ```

@@ -10,10 +10,10 @@ use thiserror::Error;
 #[expect(missing_docs, reason = "the message of a variant names its fields")]
 pub enum Error {
     /// The connectivity is empty.
-    #[error("the model has {nodes} nodes and no elements")]
+    #[error("the model has {nodes} nodes and no elements; it must have at least one element")]
     NoElements { nodes: usize },
     /// An element, a support or a load names a node that does not exist.
-    #[error("{item} {index} refers to node {node}, but the model has {nodes} nodes")]
+    #[error("{item} {index} refers to node {node}, but the model has {nodes} nodes; the number must be below {nodes}")]
     NoSuchNode {
         /// What refers to the node: "element", "support", "spring" or "nodal load".
         item: &'static str,
@@ -22,7 +22,9 @@ pub enum Error {
         nodes: usize,
     },
     /// A distributed load, or an element option, names an element that does not exist.
-    #[error("{item} {index} is on element {element}, but the model has {elements}")]
+    #[error(
+        "{item} {index} is on element {element}, but the model has {elements} elements; the number must be below {elements}"
+    )]
     NoSuchElement {
         /// What refers to the element: "distributed load", "pressure" or "theory".
         item: &'static str,
@@ -31,11 +33,12 @@ pub enum Error {
         elements: usize,
     },
     /// A node belongs to no element, so it has neither stiffness nor mass.
-    #[error("node {node} belongs to no element")]
+    #[error("node {node} belongs to no element; each node must be the end of an element, or be removed")]
     UnattachedNode { node: usize },
     /// The two nodes of an element coincide.
     #[error(
-        "element {element} between nodes {} and {} has no length: {length} m in a model of extent {extent} m",
+        "element {element} between nodes {} and {} has the length {length} m; \
+         it must be longer than 1e-12 of the extent of the model, {extent} m",
         nodes[0], nodes[1]
     )]
     ZeroLengthElement { element: usize, nodes: [usize; 2], length: f64, extent: f64 },
@@ -71,7 +74,9 @@ pub enum Error {
     #[error("a motion is prescribed for {dof} of node {node}, which is not fixed; fix it first")]
     NotSupported { node: usize, dof: Dof },
     /// A rigid body without mass, or moment of inertia, that is free to move.
-    #[error("the rigid body at node {node} has {quantity} = {value}, but {dof} is free; give it some, or fix it")]
+    #[error(
+        "the rigid body at node {node} has {quantity} = {value}, but {dof} is free; it must be above 0, or {dof} fixed"
+    )]
     MasslessBody { node: usize, dof: Dof, quantity: &'static str, value: f64 },
     /// The model has a feature that the analysis does not support.
     #[error("{analysis} does not support {feature} ({item} {index}); use {instead}")]
@@ -87,7 +92,7 @@ pub enum Error {
     /// The stiffness matrix is not positive definite, because the supports leave a rigid motion free.
     #[error(
         "under-supported: the part of the model that contains node {node} is a mechanism, \
-         free to move there by u = {:.3} m, w = {:.3} m, theta = {:.3} rad",
+         free to move there by u = {:.3} m, w = {:.3} m, theta = {:.3} rad; add supports or springs against this motion",
         motion[0], motion[1], motion[2]
     )]
     UnderSupported {
@@ -109,7 +114,7 @@ pub enum Error {
     )]
     IllConditioned { unknowns: usize, refinements: usize, change: f64 },
     /// A new stiffness was given for a model of another connectivity; `element` is the first that differs, or the smaller number.
-    #[error("element {element} connects other nodes than when the stiffness was analysed")]
+    #[error("element {element} connects other nodes than in the model of the factorisation; it must connect the same")]
     OtherConnectivity { element: usize },
     /// The end of an element has rotated against its chord beyond the range of the shape functions.
     #[error(
@@ -125,7 +130,7 @@ pub enum Error {
     /// The tangent stiffness has no inverse: a mechanism, or exactly a limit or bifurcation point.
     #[error(
         "the tangent stiffness is singular at {dof} of node {node}: the model is a mechanism there, \
-         or stands at a limit point"
+         or stands at a limit point; add supports, or follow the path by the arc length"
     )]
     SingularTangent { node: usize, dof: Dof },
     /// Newton's method did not converge in a load step.

@@ -18,6 +18,10 @@
 //! Modules from bottom to top: [`material`], element (formulation), [`model`], assembly, then [`statics`], [`modes`] and
 //! [`dynamics`].
 //!
+//! Runnable examples, each against theory, by `cargo run --release -p structure_fe --example NAME`: `natural_modes` of a clamped
+//! strip, `panel_under_pressure` with its membrane force, `impulse_on_a_beam` with damping, `collapse_load` by plastic hinges,
+//! `panel_from_modes` of another program; `step_cost` gives the seconds of a time step.
+//!
 //! A cantilever and its modes: a steel plate strip under one pascal:
 //!
 //! ```

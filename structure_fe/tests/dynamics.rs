@@ -204,9 +204,9 @@ fn a_thrown_beam_keeps_its_momentum() {
 
 /// A cantilever whose root is moved as a whole follows; reactions carry the load and the inertia.
 #[test]
-fn supports_move_as_told() {
+fn supports_move_as_prescribed() {
     let elements = 8;
-    // The explicit damping force lags by half a step, so its reactions are told to that order only.
+    // The explicit damping force lags by half a step, so its reactions are exact to that order only.
     for (integration, stiffness) in [(TRAPEZOIDAL, 1e-5), (DAMPED, 1e-5), (Integration::CentralDifference, 0.0)] {
         let damping = Damping { mass: 0.0, stiffness };
         let mut dynamics =

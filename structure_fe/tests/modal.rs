@@ -7,7 +7,7 @@ use structure_fe::{Beam, Damping, Dynamics, Integration, Material, Section, Supp
 
 const FREE: [bool; 3] = [false; 3];
 
-/// A body with two masses that move on springs, one along and one across its axis, both beside its centre of mass.
+/// A body with two masses that move on springs, one along and one across its axis, both away from its centre of mass.
 fn two_masses() -> ModalStructure {
     let mode = |frequency: f64, mass: f64, shape: [[f64; 3]; 2]| ModalMode {
         frequency,

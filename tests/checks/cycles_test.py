@@ -1,4 +1,4 @@
-"""What `cycles` sees and what it leaves out: `python3 tests/checks/cycles_test.py`."""
+"""What `cycles` finds and what it leaves out: `python3 tests/checks/cycles_test.py`."""
 import importlib.machinery
 import importlib.util
 import os

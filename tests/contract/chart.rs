@@ -44,7 +44,7 @@ vary = "fluid.verlet_correction_every"
 values = [0]
 "#;
 
-/// Several numbers from the same runs; a run that fails is told and loses nothing else; single runs and words as settings; a
+/// Several numbers from the same runs; a run that fails is reported and loses nothing else; single runs and words as settings; a
 /// stored chart draws itself again to the byte, and is taken up where it ended.
 #[test]
 fn a_chart_is_measured_once_and_drawn_again() {

@@ -12,7 +12,7 @@ use temp_dir::TempDir;
 /// Longest wait for anything [s].
 const PATIENCE: Duration = Duration::from_secs(60);
 
-/// The binary beside this test's own, as cargo lays them out: `TARGET/PROFILE/deps/TEST` and `TARGET/PROFILE/splashdown`.
+/// The binary near this test's own, as cargo lays them out: `TARGET/PROFILE/deps/TEST` and `TARGET/PROFILE/splashdown`.
 pub fn binary() -> &'static Path {
     static FOUND: LazyLock<PathBuf> = LazyLock::new(find);
     &FOUND

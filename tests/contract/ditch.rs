@@ -13,8 +13,8 @@ fn a_landing_writes_its_files() {
     let ended = place.run(&[&SHORT[..], &["--json"]].concat());
     assert_eq!(ended.code, Some(0), "{}", ended.message);
     let summary = place.summary("out");
-    let told = place.run(&["ditch", "mercure", "--set", "landing.end=0.5", "--out", "told"]);
-    assert!(told.stdout.contains("no band of these loads"), "{}", told.stdout);
+    let printed = place.run(&["ditch", "mercure", "--set", "landing.end=0.5", "--out", "printed"]);
+    assert!(printed.stdout.contains("no band of these loads"), "{}", printed.stdout);
     assert_eq!(serde_json::from_str::<Value>(&ended.stdout).expect("JSON on stdout"), summary);
     assert_eq!((&summary["status"], &summary["model"]), (&"completed".into(), &"mlm".into()));
     assert!(summary["load_factor"]["value"].as_f64().expect("a number") > 1.0);
@@ -64,7 +64,7 @@ fn a_landing_on_waves_says_where_it_touched() {
     refused.says(&["sea.height", "below 14.2 m"]);
 }
 
-/// What a file assumes stands beside its results, and so does a fuselage that bends too far for linear bending.
+/// What a file assumes stands with its results, and so does a fuselage that bends too far for linear bending.
 #[test]
 fn a_landing_says_what_it_assumes() {
     let place = Workplace::new();

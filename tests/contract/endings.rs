@@ -70,8 +70,8 @@ fn a_run_that_breaks_down_says_what_where_and_when() {
     assert!(place.text("out/report.html").contains("particle"));
 }
 
-/// A pressure equation that no shorter step makes converge (THEORY LS11, CO26: three iterations where 1e-12 is asked) says how far
-/// it got, in which particle, where and when; the log is complete, holds the state before, and says the same.
+/// A pressure equation that no shorter step makes converge (THEORY LS11, CO26: three iterations for a tolerance of 1e-12) gives the residual
+/// that it reached, in which particle, where and when; the log is complete, holds the state before, and says the same.
 #[test]
 fn a_pressure_that_does_not_converge_fails_with_the_log_intact() {
     let place = Workplace::new();

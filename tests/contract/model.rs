@@ -72,7 +72,7 @@ fn auto_takes_the_cheapest_model_that_is_right() {
     }
 }
 
-/// The numbers behind `auto`: what is chosen is within its tolerance of a table that it does not know.
+/// The numbers behind `auto`: what is chosen is within its tolerance of a table that it does not use.
 #[test]
 fn what_auto_chooses_is_within_its_tolerance() {
     let place = Workplace::new();

@@ -20,7 +20,7 @@ free = ["y"]
 velocity = [0.0, -5.0]
 "#;
 
-/// A mistake in a file is told with file, line, key, what was given and what was expected.
+/// The error of a file gives file, line, key, what was given and what was expected.
 #[test]
 fn a_wrong_file_is_refused_with_line_key_given_and_expected() {
     #[rustfmt::skip]
@@ -132,7 +132,7 @@ fn a_bad_value_of_a_new_key_is_refused_with_line_key_given_and_expected() {
     }
 }
 
-/// A mistake on the command line is told with the argument that makes it.
+/// The error of a command line gives the argument that is wrong.
 #[test]
 fn a_wrong_argument_is_refused_and_named() {
     #[rustfmt::skip]

@@ -11,9 +11,9 @@ fn run(place: &Workplace, scene: &str, sets: &[&str], out: &str) {
     assert_eq!(ended.code, Some(0), "{}", ended.message);
 }
 
-/// The page of a run is made anew from its files, byte for byte, with every figure in it as a file where that is asked for.
+/// The page of a run is made again from its files, byte for byte, with every figure in it as a file where that is asked for.
 #[test]
-fn a_page_is_made_anew_from_its_folder() {
+fn a_page_is_made_again_from_its_folder() {
     let place = Workplace::new();
     run(&place, "wedge", &["--set", "report.acceleration_cfc=600"], "out");
     let first = place.read("out/report.html");

@@ -53,7 +53,7 @@ fn a_stress_beyond_the_allowable_one_is_the_status() {
             assert_eq!(panel[result]["allowed"], false, "{panel}");
             is_result(&panel[result]);
         }
-        // whether it is resolved is said beside: this force is not, at a draught of few spacings
+        // the verdict says whether it is resolved: this force is not, at a draught of few spacings
         assert_eq!(panel["peak_stress_Pa"]["verdict"], summary["results"]["peak_force_N_per_m"]["verdict"]);
     }
     assert!(summary["results"]["peak_force_N_per_m"]["allowed"].is_null());

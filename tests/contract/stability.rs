@@ -38,9 +38,9 @@ fn a_map_is_made_once_and_every_point_comes_back_by_its_command() {
     assert_eq!(ended.code, Some(0), "{}", ended.message);
     let stored: Value = serde_json::from_str(&place.text("out/two.json")).expect("JSON");
     assert_eq!(serde_json::from_str::<Value>(&ended.stdout).expect("JSON on stdout")[0], stored);
-    let beside = place.run(&["stability", "two.toml", "--out", "beside", "--quiet", "--threads", "2"]);
-    assert_eq!(beside.code, Some(0), "{}", beside.message);
-    assert_eq!(place.text("beside/two.json"), place.text("out/two.json"));
+    let parallel = place.run(&["stability", "two.toml", "--out", "parallel", "--quiet", "--threads", "2"]);
+    assert_eq!(parallel.code, Some(0), "{}", parallel.message);
+    assert_eq!(place.text("parallel/two.json"), place.text("out/two.json"));
 
     let page = place.text("out/two.html");
     let points = stored["points"].as_array().expect("a list");

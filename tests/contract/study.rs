@@ -9,7 +9,7 @@ const COARSE: [&str; 8] =
 const OUT: [&str; 3] = ["--out", "out", "--quiet"];
 
 /// Two files; every pair of spacing and sound speed, coarsest first; the same JSON on stdout; a verdict in words that
-/// agrees with `converged`. A second study does not replace the first unless told to.
+/// agrees with `converged`. A second study does not replace the first without the option for it.
 #[test]
 fn a_study_writes_its_numbers_and_its_page() {
     let place = Workplace::new();

@@ -1,4 +1,4 @@
-//! What an input does to the process: panics are caught, hangs and huge allocations are told.
+//! What an input does to the process: panics are caught, hangs and huge allocations are reported.
 
 use std::cell::RefCell;
 use std::panic::{self, AssertUnwindSafe};
@@ -81,7 +81,7 @@ impl Watch {
     }
 }
 
-/// Largest size of the address space so far [KiB]; 0 where the system does not tell.
+/// Largest size of the address space so far [KiB]; 0 where the system does not give it.
 fn address_space() -> u64 {
     let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
     let line = status.lines().find_map(|line| line.strip_prefix("VmPeak:"));

@@ -259,7 +259,7 @@ def read(file, end, complete):
 
 
 def check_summary(file, log):
-    """The summary tells the same story as the stream, and leads to every message."""
+    """The summary agrees with the stream, and its index leads to every message."""
     file.seek(0)
     reader = SeekingReader(file, validate_crcs=True)
     summary = reader.get_summary()

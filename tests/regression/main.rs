@@ -89,9 +89,9 @@ fn the_couplings_bits_do_not_depend_on_threads() {
     }
 }
 
-/// The hash sees a single bit, so that equal hashes mean equal states.
+/// The hash changes with a single bit, so that equal hashes mean equal states.
 #[test]
-fn the_hash_sees_the_last_bit_of_one_particle() {
+fn the_hash_changes_with_the_last_bit_of_one_particle() {
     let (name, sets) = SCENES[0];
     let mut system = stepped(name, sets);
     let before = bits(&system);

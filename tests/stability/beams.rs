@@ -38,7 +38,7 @@ fn run(floor: &Floor, scheme: Scheme, periods: f64) -> Run {
 
 /// CO12's spectral radius of a strip under water.
 fn radius(floor: &Floor) -> f64 {
-    let spacing = LENGTH / f64::from(floor.rows);
+    let spacing = LENGTH / f64::from(floor.layers);
     let (mass, dt) = (floor.ratio * WATER * LENGTH, floor.courant * 1.5 * spacing / SOUND);
     let water = Beside { mass, faces: 1.0, density: WATER, spacing, smoothing_ratio: 1.5, sound_speed: SOUND, dt };
     exchange_ratio(&water).spectral_radius
@@ -75,14 +75,14 @@ fn light_strips_hold_with_every_scheme_but_weak() {
 /// CO12 against runs: explicit coupling is quiet at 0.85 of the estimate's limit and fails at 1.2, at any step and spacing.
 #[test]
 fn one_exchange_a_step_fails_where_the_estimate_says() {
-    for (courant, rows) in [(0.6, 20), (0.6, 40), (0.3, 20), (0.15, 20)] {
+    for (courant, layers) in [(0.6, 20), (0.6, 40), (0.3, 20), (0.15, 20)] {
         for (share, stable) in [(0.85, true), (1.2, false)] {
-            let unit = Floor { courant, ..Floor::still(1.0, rows) };
+            let unit = Floor { courant, ..Floor::still(1.0, layers) };
             let floor = Floor { ratio: radius(&unit) / share, ..unit };
             let found = run(&floor, Scheme::Weak, 0.75);
-            println!("C {courant}, {rows} rows, radius {share}: {:.5} m, {:.2} J/m", found.deepest, found.gained);
+            println!("C {courant}, {layers} layers, radius {share}: {:.5} m, {:.2} J/m", found.deepest, found.gained);
             let quiet = found.deepest.is_finite() && found.gained < 0.0;
-            assert_eq!(quiet, stable, "C {courant}, {rows} rows, radius {share}: {found:?}");
+            assert_eq!(quiet, stable, "C {courant}, {layers} layers, radius {share}: {found:?}");
         }
     }
 }

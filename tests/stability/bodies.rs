@@ -24,11 +24,11 @@ fn wildest(mass: f64, spacing: f64) -> f64 {
 }
 
 /// Weak coupling moves the body once a step, and wall pressures contain ρ a_wall (THEORY WA3) of the step before: the
-/// added mass of about half a row of particles, ρ b Δx/2, is explicit. Failure: a box of a seventeenth of the water's
+/// added mass of about half a layer of particles, ρ b Δx/2, is explicit. Failure: a box of a seventeenth of the water's
 /// density, m = 0.4 ρ b Δx, shakes itself at thousands of g, and nothing but the curves says so. Remedy: m ≥ 0.6 ρ b Δx
 /// is smooth, so halve the spacing.
 #[test]
-fn a_box_lighter_than_half_a_row_of_particles_shakes_itself_apart() {
+fn a_box_lighter_than_half_a_layer_of_particles_breaks_down() {
     let (coarse, fine) = (wildest(4.8, 0.03), wildest(4.8, 0.015));
     let heavier = wildest(8.4, 0.03);
     println!("{coarse:.1}, half the spacing {fine:.1}, heavier {heavier:.1} m/s²");

@@ -36,7 +36,7 @@ fn released(density: f64, scheme: &str) -> (f64, f64) {
     (if ended.is_ok() { wildest } else { f64::INFINITY }, radius)
 }
 
-/// The stability map: density of the body over the water's × scheme. Failure: weak coupling, where half a row of water has
+/// The stability map: density of the body over the water's × scheme. Failure: weak coupling, where half a layer of water has
 /// more inertia than the body (CO10 above 1). Remedy: any other scheme, down to a thousandth of the water's density.
 #[test]
 fn weak_coupling_fails_where_the_estimate_says_and_the_others_nowhere() {

@@ -1,9 +1,9 @@
-//! Courant numbers at which each integrator breaks down; a scene that asks for one is refused (THEORY WC16).
+//! Courant numbers at which each integrator breaks down; a scene with such a number is refused (THEORY WC16).
 
 use evidence::systems::advance;
 use run::build;
 
-/// Whether a scene runs to `end` [s] with a Courant number that no scene may ask for.
+/// Whether a scene runs to `end` [s] with a Courant number that scenes refuse.
 fn ran(name: &str, spacing: &str, end: f64, integrator: &str, cfl: f64) -> bool {
     let cfl = format!("fluid.cfl={cfl}");
     let every = integrator.ends_with("verlet").then_some("fluid.verlet_correction_every=2");

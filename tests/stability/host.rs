@@ -1,6 +1,6 @@
 //! A host that takes the water's force as it comes shakes with long steps (THEORY CO32); one that repeats the step does not.
 
-use evidence::door::{moved, total};
+use evidence::host_wedge::{moved, total};
 use fsi_coupling::embed::{FluidElement, FluidElementSpec, HostNodes, HostStep, Topology};
 
 /// A box 0.4 m broad, of `mass` [kg/m], at its draught in still water.

@@ -1,5 +1,5 @@
-//! Stability: where the method fails. Each known failure is asserted, and its remedy beside it: a failure that stops
-//! failing is news, and its test is then to be turned round.
+//! Stability: where the method fails. Each known failure is asserted, with its remedy. Where a failure
+//! no longer occurs, its test fails, and is then to be reversed.
 
 mod beams;
 mod bodies;

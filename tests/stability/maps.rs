@@ -4,11 +4,11 @@ use evidence::long::long;
 use rayon::prelude::*;
 use scenarios::experiments::stability::{self, MAPS, Map, Verdict};
 
-/// Theory knows the lattice, not the jump of the cut Gaussian, whose edge lies on neighbours at h/Δx = 1 (THEORY LE24).
+/// The theory has the lattice, not the jump of the cut Gaussian, whose edge lies on neighbours at h/Δx = 1 (THEORY LE24).
 const ASTRAY: (&str, &str) = ("free_surface_threshold", "gaussian_1.0");
 
 /// Rows that say the same as others and take long: they run in the long variant, in `tests/nightly`. Light boxes hold with both schemes
-/// on the map `coupling_mass` too; sound speeds between the least and the largest; kernels that pair, and that do not, beside these.
+/// on the map `coupling_mass` too; sound speeds between the least and the largest; kernels that pair, and that do not, in addition to these.
 const SLOW: [(&str, &[&str]); 6] = [
     ("body_density", &["added_mass", "iqn_ils"]),
     ("kernel_pairing", &["gaussian", "quadratic"]),

@@ -1,4 +1,4 @@
-//! Failures of schemes in a still tank and a collapsing column, each beside the form that does not have it.
+//! Failures of schemes in a still tank and a collapsing column, each with the form that does not have it.
 
 use evidence::long::long;
 use evidence::systems::{advance, system};
@@ -16,7 +16,7 @@ fn middle(system: &Coupled) -> f64 {
     p.y.iter().sum::<f64>() / p.len() as f64
 }
 
-/// Verlet's two time levels (THEORY LE3) know of each other through the rates only; what dissipates makes their difference
+/// Verlet's two time levels (THEORY LE3) are coupled through the rates only; what dissipates makes their difference
 /// grow. Failure: without the Euler step the tank breaks down in a hundredth of a second; without any dissipation it
 /// takes longer. Remedy: one Euler step in 40, at the usual Courant number, or one in 10 at twice that.
 #[test]
@@ -61,7 +61,7 @@ fn still_water_with_summed_densities_breaks_down() {
 }
 
 /// Failure: density diffusion of the whole pressure (LE14) takes the hydrostatic gradient for noise; at the surface and
-/// at the floor its sum is one-sided, and still water spreads: the lowest rows sink together, the top rises. Remedy:
+/// at the floor its sum is one-sided, and still water spreads: the lowest layers sink together, the top rises. Remedy:
 /// diffuse what is over the hydrostatic pressure (WC4).
 #[test]
 fn diffusion_of_the_hydrostatic_pressure_makes_still_water_drift() {

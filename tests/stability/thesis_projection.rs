@@ -14,7 +14,7 @@ const SOLVER: &str = "solver=incompressible_thesis";
 /// A single pass of the corrector, as the thesis had it before its inner loop.
 const ONE_PASS: &str = "thesis.inner_passes=1";
 
-/// Largest error of a particle's pressure against ρ g times its depth below the top row over that of the lowest [-].
+/// Largest error of a particle's pressure against ρ g times its depth below the top layer over that of the lowest [-].
 fn pressure_error(system: &Coupled) -> f64 {
     let p = system.fluid.particles();
     let [top, floor] = [p.y.iter().copied().fold(f64::MIN, f64::max), p.y.iter().copied().fold(f64::MAX, f64::min)];
@@ -22,7 +22,7 @@ fn pressure_error(system: &Coupled) -> f64 {
     (0..p.len()).map(of).fold(0.0, f64::max) / (WEIGHT * (top - floor))
 }
 
-/// The thesis's column of 16 rows, four particles wide, between walls.
+/// The thesis's column of 16 layers, four particles wide, between walls.
 fn column(sets: &[&str]) -> Coupled {
     let text =
         "name = \"column\"\n[time]\nend = 10.0\n[resolution]\nspacing = 0.05\n[tank]\nwidth = 0.2\ndepth = 0.8\n";
@@ -82,7 +82,7 @@ fn masses_that_give_every_particle_its_density_are_negative() {
     assert!(least(&remedy) > 0.0 && pressure_error(&remedy) < 1e-3, "{:.2e}", pressure_error(&remedy));
 }
 
-/// Failure: limit rows of zero gradient (LE28) give half the pressure at the first step, and break down within half a second.
+/// Failure: limit layers of zero gradient (LE28) give half the pressure at the first step, and break down within half a second.
 /// Remedy: the Poisson equation on them.
 #[test]
 fn zero_gradient_at_limit_particles_halves_the_pressure_and_diverges() {
@@ -105,9 +105,9 @@ fn a_predictor_with_the_old_pressure_diverges() {
     assert!(small.fluid.time() > 0.01, "{ended:?}");
 }
 
-/// Failure: side walls that do not follow the predictor change the density beside them: a third of the pressure at the
+/// Failure: side walls that do not follow the predictor change the density next to them: a third of the pressure at the
 /// first step, and as much for ever where the inner loop is left to come and go at 1e-3 of the density. At rest a single pass
-/// and a tight loop forget most of it: the columns beside the wall settle where their density is right. Remedy: LE21.
+/// and a tight loop remove most of it: the columns next to the wall settle where their density is right. Remedy: LE21.
 #[test]
 fn side_walls_without_freedom_give_wrong_densities() {
     let error = |sets: &[&str]| {
@@ -145,7 +145,7 @@ fn without_gradient_correction_the_pressure_depends_on_h() {
     }
 }
 
-/// Failure: with a support beyond the thesis's the surface, whose rows are not solved, falls into disorder, and still water
+/// Failure: with a support beyond the thesis's the surface, whose layers are not solved, falls into disorder, and still water
 /// breaks down. Remedy: h ≤ 1.25 Δx, or another solver.
 #[test]
 fn the_surface_holds_only_with_a_narrow_kernel() {
@@ -154,7 +154,7 @@ fn the_surface_holds_only_with_a_narrow_kernel() {
 }
 
 /// A body that falls at 1 m/s from above still water. Its limit particles, half a spacing inside, meet the supports of the top
-/// row, half a spacing below the surface, when its lowest point is a spacing, 0.025 m, above the surface: 2h = 2Δx.
+/// layer, half a spacing below the surface, when its lowest point is a spacing, 0.025 m, above the surface: 2h = 2Δx.
 fn falling(shape: &str) -> Coupled {
     let text = "name = \"fall\"\n[time]\nend = 1.0\n[resolution]\nspacing = 0.025\ngrowth = 1.0\n[tank]\nwidth = 1.0\n\
                 depth = 0.5\n[body]\nname = \"fall\"\nmotion = \"constant_velocity\"\nvelocity = [0.0, -1.0]\n";
@@ -162,8 +162,8 @@ fn falling(shape: &str) -> Coupled {
 }
 
 /// Failure, and the thesis's end: "as soon as the structure is entering the surface particles' kernel support, the algorithm
-/// breaks down". What is stored for the surface's densities (LE19) knows no body: its particles are density in excess, of
-/// Δρ/(ρ Δt²), as soon as they are felt.
+/// breaks down". What is stored for the surface's densities (LE19) contains no body: its particles are density in excess, of
+/// Δρ/(ρ Δt²), as soon as they are in the kernel.
 #[test]
 fn a_body_that_enters_the_surfaces_support_is_the_end() {
     for (name, shape, lowest) in [
@@ -191,7 +191,7 @@ fn a_body_that_enters_the_surfaces_support_is_the_end() {
     }
 }
 
-/// Failure: walls are as high as the water was (LE21). Water that rises above them is beside nothing. Remedy: the other
+/// Failure: walls are as high as the water was (LE21). Water that rises above them has no wall next to it. Remedy: the other
 /// solvers, whose walls are as high as the tank.
 #[test]
 fn water_that_rises_above_the_walls_is_lost() {
@@ -208,7 +208,7 @@ fn water_that_rises_above_the_walls_is_lost() {
 
 /// A pressure equation that is not solved says how far it got, and the run ends with what it has.
 #[test]
-fn a_pressure_equation_that_is_not_solved_is_told() {
+fn a_pressure_equation_that_is_not_solved_is_reported() {
     let scene = scene("hydrostatic_tank", &[SOLVER, "thesis.most_iterations=3", "time.end=0.1"]);
     let outcome = run::run(&scene, &RunOptions::default()).expect("a scene that can be built");
     let message = outcome.summary.message.unwrap_or_default();

@@ -1,4 +1,4 @@
-//! Failures at plates thinner than their rows of wall particles, and their remedy: plate midlines (THEORY WA8, WA9).
+//! Failures at plates thinner than their layers of wall particles, and their remedy: plate midlines (THEORY WA8, WA9).
 
 use evidence::parameters::Parameters;
 use evidence::plates::{
@@ -29,17 +29,17 @@ fn held(mut system: Coupled, rows: [usize; 2]) -> ([f64; 2], usize) {
     ([error(0), error(1)], lost)
 }
 
-/// A plate one spacing thick between waters 24 and 12 spacings deep, sampled as any outline is: the rows of its two faces
-/// fall together in its middle and see both waters. Failure: the forces on the faces are off by 61 and 255 % of ½ρgh², and
-/// two particles are lost in a second. Remedy: a plate, with its own rows for each face, and a plate midline (0.4 %, none).
+/// A plate one spacing thick between waters 24 and 12 spacings deep, sampled as any outline is: the layers of its two faces
+/// coincide in its middle and have both waters in their kernels. Failure: the forces on the faces are off by 61 and 255 % of ½ρgh², and
+/// two particles are lost in a second. Remedy: a plate, with its own layers for each face, and a plate midline (0.4 %, none).
 #[test]
 fn a_plate_of_one_spacing_shows_each_face_the_other_water() {
     let rows = [24, 12];
     let bare = |outline: Outline| fixed(Outline::polygon(&outline.loops()[0]).expect("the same corners"));
     let (old, through) = held(separated_by(1.0, 16, rows, SPACING, bare), rows);
     let (new, lost) = held(separated(1.0, 16, rows, SPACING), rows);
-    println!("filled rows: {old:?}, {through} lost; plate midline: {new:?}, {lost} lost");
-    assert!(old[1].abs() > 0.2 || through > 10, "filled rows hold: {old:?}, {through} particles lost");
+    println!("filled layers: {old:?}, {through} lost; plate midline: {new:?}, {lost} lost");
+    assert!(old[1].abs() > 0.2 || through > 10, "filled layers hold: {old:?}, {through} particles lost");
     assert!(new.iter().all(|error| error.abs() < 0.01), "{new:?}");
     assert_eq!(lost, 0);
 }
@@ -61,7 +61,7 @@ fn thrown(body: impl Fn(Outline) -> Box<dyn Body>) -> Coupled {
 }
 
 /// Contact with the outline (THEORY WA7) puts a particle back on the nearest face. Failure: what flies through a plate in one
-/// step is beyond it and is not even looked for. Remedy: the step's path tells who went through, and where it came from (WA11).
+/// step is beyond it and is not even looked for. Remedy: the path of a particle in the step shows whether it went through, and from which side (WA11).
 #[test]
 fn lone_particles_fly_through_a_plate_unless_their_path_is_looked_at() {
     let bare = |outline: Outline| fixed(Outline::polygon(&outline.loops()[0]).expect("the same corners"));

@@ -1,4 +1,4 @@
-//! Failures at walls: how many rows of wall particles keep water in, and what each kind of wall survives.
+//! Failures at walls: how many layers of wall particles keep water in, and what each kind of wall survives.
 
 use evidence::parameters::Parameters;
 use evidence::systems::{advance, scene, system};
@@ -9,7 +9,7 @@ use sph_core::{Fluid, Seed, WallModel, Walls};
 
 const SPACING: f64 = 0.05;
 
-/// How a test's wall is made: model, rows, how they lie.
+/// How a test's wall is made: model, layers, how they lie.
 #[derive(Clone, Copy)]
 struct Wall {
     model: WallModel,
@@ -58,27 +58,27 @@ fn dynamic(layers: usize) -> Wall {
     Wall { model: WallModel::Dynamic, layers, staggered: true }
 }
 
-/// A wall must fill the kernel's support 2h = 3 spacings. Failure: one row leaks (M. Pilorget 2010 saw the same and
-/// doubled it). Remedy: the three rows that every body is sampled with hold every particle.
+/// A wall must fill the kernel's support 2h = 3 spacings. Failure: one layer leaks (M. Pilorget 2010 found the same and
+/// doubled it). Remedy: the three layers that every body is sampled with hold every particle.
 #[test]
-fn a_single_row_of_wall_particles_leaks() {
+fn a_single_layer_of_wall_particles_leaks() {
     let (one, three) = (leaked(filled(1), 0.0, 1.0), leaked(filled(3), 0.0, 1.0));
-    assert!(one > 10, "one row let {one} of 400 particles out");
-    assert_eq!(three, 0, "three rows let {three} of 400 particles out");
+    assert!(one > 10, "one layer let {one} of 400 particles out");
+    assert_eq!(three, 0, "three layers let {three} of 400 particles out");
 }
 
-/// A dynamic wall of one row, hit by a tank of water at a Mach number U/c₀ = 0.2. Failure: it leaks (2 of 400 particles in
-/// 0.3 s, from 0.05 on; 42 at 0.3). Remedy: a second row, staggered, holds all of them; at 0.3 it too lets 2 through, at
+/// A dynamic wall of one layer, hit by a tank of water at a Mach number U/c₀ = 0.2. Failure: it leaks (2 of 400 particles in
+/// 0.3 s, from 0.05 on; 42 at 0.3). Remedy: a second layer, staggered, holds all of them; at 0.3 it too lets 2 through, at
 /// 0.4 there is no difference.
 #[test]
-fn a_single_row_of_a_dynamic_wall_leaks_at_mach_one_fifth() {
+fn a_single_layer_of_a_dynamic_wall_leaks_at_mach_one_fifth() {
     let c0 = Parameters::of(&system("hydrostatic_tank", &["resolution.spacing=0.05"]).fluid).eos.c0;
     let hit = |layers: usize, mach: f64| leaked(dynamic(layers), mach * c0, 0.3);
     let (one, two) = (hit(1, 0.2), hit(2, 0.2));
-    assert!(one > 0, "one row held all particles at Mach 0.2");
-    assert_eq!(two, 0, "two rows let {two} of 400 particles out at Mach 0.2");
+    assert!(one > 0, "one layer held all particles at Mach 0.2");
+    assert_eq!(two, 0, "two layers let {two} of 400 particles out at Mach 0.2");
     let (one, two) = (hit(1, 0.3), hit(2, 0.3));
-    assert!(one > 5 * two.max(1), "at Mach 0.3 one row let {one} of 400 particles out, two let {two}");
+    assert!(one > 5 * two.max(1), "at Mach 0.3 one layer let {one} of 400 particles out, two let {two}");
 }
 
 /// Largest kinetic energy of a tank of still water within half a second [J/m].
@@ -92,17 +92,17 @@ fn thrown(walls: &str) -> f64 {
 /// A repulsive wall pushes by a law of distance that the weight of the water has no part in (THEORY LE15). Failure: still
 /// water is thrown about (some 300 J/m of the 4905 J/m it holds). Remedy: walls with a pressure.
 #[test]
-fn a_repulsive_wall_throws_still_water_about() {
+fn a_repulsive_wall_sets_still_water_in_motion() {
     let law = thrown("fluid.walls=repulsive");
-    assert!(law > 10.0, "{law:.3e} J/m beside repulsive walls");
+    assert!(law > 10.0, "{law:.3e} J/m at repulsive walls");
     for model in ["extrapolated", "dynamic", "mirror_point"] {
         let pressed = thrown(&format!("fluid.walls={model}"));
-        assert!(pressed < 1e-3 * law, "{model}: {pressed:.3e} J/m, {law:.3e} J/m beside repulsive walls");
+        assert!(pressed < 1e-3 * law, "{model}: {pressed:.3e} J/m, {law:.3e} J/m at repulsive walls");
     }
 }
 
 /// A dynamic wall that starts without pressure (`fluid.limit_pressure` = 0) is first hit by the weight of the water.
-/// Remedy: the pressure of the water beside it.
+/// Remedy: the pressure of the water next to it.
 #[test]
 fn a_dynamic_wall_without_pressure_lets_still_water_fall() {
     let start = |option: u8| {

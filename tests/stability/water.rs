@@ -35,14 +35,14 @@ fn churn(sets: &[&str]) -> f64 {
 }
 
 /// Where neighbours differ in size, p_a + p_b does not balance gravity exactly. Failure: water that does not start level, here by 0.1
-/// mm, is not held (THEORY WC28), and with cells that grow by 15 % a row it churns at some centimetres a second. Remedies: a growth of 5 %;
+/// mm, is not held (THEORY WC28), and with cells that grow by 15 % a layer it churns at some centimetres a second. Remedies: a growth of 5 %;
 /// a level surface.
 #[test]
 fn water_graded_by_fifteen_percent_that_does_not_start_level_churns() {
     let not_level = ["resolution.growth=1.15", "tank.surface_amplitude=0.0001"];
     let (fast, slow) = (churn(&not_level), churn(&["resolution.growth=1.05", not_level[1]]));
     let level = churn(&not_level[..1]);
-    println!("{fast:.3e} J/m with 15 % a row, {slow:.3e} J/m with 5 %, {level:.3e} J/m level");
+    println!("{fast:.3e} J/m with 15 % a layer, {slow:.3e} J/m with 5 %, {level:.3e} J/m level");
     assert!(fast > 5.0 * slow && fast > 5.0 * level, "{fast:.3e}, {slow:.3e}, {level:.3e} J/m");
 }
 
@@ -86,7 +86,7 @@ fn an_absurd_density_is_reported_with_place_and_time() {
 
 /// A splash over a baffle, whose particles circle about each other while geometry is held for eight acoustic steps (THEORY WC22).
 /// Failure: with the forces of the geometry before, they gain energy in each turn, and water is torn to 0.7 of its density at 0.2 s.
-/// Remedy: forces are found anew when geometry is.
+/// Remedy: forces are computed again when geometry is.
 #[test]
 fn circling_particles_gain_no_energy_from_held_geometry() {
     let mut dam = system("dam_break_baffle", &["fluid.acoustic_steps=8"]);

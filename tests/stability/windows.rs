@@ -3,7 +3,7 @@
 
 use evidence::column::{Column, HEIGHT, SOUND};
 
-/// True where a push of 1 mm/s dies: over 40 windows of `share` = cT/L.
+/// True where a push of 1 mm/s decays: over 40 windows of `share` = cT/L.
 fn holds(ratio: f64, share: f64) -> bool {
     let mut column = Column::new(ratio, 1e-3);
     let dt = share * HEIGHT / SOUND;

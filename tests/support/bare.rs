@@ -9,7 +9,7 @@ pub fn parameters(c0: f64) -> Parameters {
     Parameters::usual(Tait { rho0: 1000.0, c0, gamma: 7.0 })
 }
 
-/// Squares of `spacing` [m] whose middles are in `from..to` along each axis, those that `seed` wants.
+/// Squares of `spacing` [m] whose middles are in `from..to` along each axis, those for which `seed` gives a state.
 pub fn lattice(
     from: [f64; 2],
     to: [f64; 2],

@@ -31,7 +31,7 @@ pub fn light_box(centre: f64, depth: f64, spacing: f64, sets: &[&str]) -> Couple
     system("floating_box", &sets)
 }
 
-/// Level of the water beside the box [m]: that at which a uniform layer over the floor has the same mean height.
+/// Level of the water next to the box [m]: that at which a uniform layer over the floor has the same mean height.
 fn level(system: &Coupled, box_at: f64, depth: f64, spacing: f64) -> f64 {
     let p = system.fluid.particles();
     let aside = |k: &usize| (p.x[*k] - box_at).abs() > 0.5 * BREADTH + 2.0 * spacing;

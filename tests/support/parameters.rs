@@ -182,7 +182,7 @@ impl Parameters {
         projection::Settings { flow, method, ..self.projection }
     }
 
-    /// Rows of boundary particles that the walls need.
+    /// Layers of boundary particles that the walls need.
     pub fn wall_layout(&self) -> WallLayout {
         self.settings().wall_layout(&self.domain())
     }

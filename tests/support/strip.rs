@@ -34,7 +34,7 @@ fn strip(ratio: f64) -> FlexibleBody {
     let bending = (TAU / PERIOD / FIRST).powi(2) * (mass + WATER_OF_FIRST * WATER * LENGTH) * LENGTH.powi(4); // [N m]
     let youngs_modulus = 12.0 * bending / THICKNESS.powi(3);
     let material = Material { youngs_modulus, poissons_ratio: 0.0, density: mass / THICKNESS };
-    // wet above only: below, as deep as the rows of boundary particles need
+    // wet above only: below, as deep as the layers of boundary particles need
     let (left, right) = (-0.3 * LENGTH, 1.3 * LENGTH);
     let outline = Outline::polygon(&[[left, -0.3], [right, -0.3], [right, 0.0], [left, 0.0]]).expect("a box");
     let panel = PanelSpec {
@@ -79,8 +79,8 @@ fn side(left: f64) -> Box<dyn Body> {
 pub struct Floor {
     /// Mass ratio ρ_s t/(ρ L) [-].
     pub ratio: f64,
-    /// Rows of particles in the depth of the water.
-    pub rows: u32,
+    /// Layers of particles in the depth of the water.
+    pub layers: u32,
     /// Courant number of the fluid [-].
     pub courant: f64,
     /// Speed at which the water falls on the strip at the start [m/s].
@@ -89,15 +89,15 @@ pub struct Floor {
 
 impl Floor {
     /// Still water, which the strip begins to carry at once.
-    pub fn still(ratio: f64, rows: u32) -> Floor {
-        Floor { ratio, rows, courant: 0.6, fall: 0.0 }
+    pub fn still(ratio: f64, layers: u32) -> Floor {
+        Floor { ratio, layers, courant: 0.6, fall: 0.0 }
     }
 
     /// Set everything up.
     pub fn build(&self, scheme: Scheme) -> Result<Coupled, CouplingError> {
         let mut parameters = parameters(SOUND);
         (parameters.gravity, parameters.cfl) = ([0.0, -GRAVITY], self.courant);
-        let spacing = LENGTH / f64::from(self.rows);
+        let spacing = LENGTH / f64::from(self.layers);
         let still = self.fall == 0.0;
         let pressure = |y: f64| if still { WATER * GRAVITY * (LENGTH - y) } else { 0.0 };
         let seeds = lattice([0.0; 2], [LENGTH; 2], spacing, |at| Some(([0.0, -self.fall], pressure(at[1]))));

@@ -15,7 +15,7 @@ pub fn system(name: &str, sets: &[&str]) -> Coupled {
     build::build(&scene(name, sets)).expect("a scene that loads can be built")
 }
 
-/// Step until `end` [s], each step as long as is stable; `watch` sees the system after each.
+/// Step until `end` [s], each step as long as is stable; `watch` gets the system after each.
 pub fn advance(system: &mut Coupled, end: f64, mut watch: impl FnMut(&Coupled)) -> Result<(), CouplingError> {
     while system.fluid.time() < end {
         let dt = system.stable_dt()?;

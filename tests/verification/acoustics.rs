@@ -53,7 +53,7 @@ fn period_error(mut system: Coupled, sound: f64) -> f64 {
 }
 
 /// Sound travels at c₀, to 1.5 % over 40 cells. The error is of first order in the spacing, not of second as inside the
-/// fluid, and larger in a lower box, so it comes from the rows beside the walls: there WA4 counts how fast the water
+/// fluid, and larger in a lower box, so it comes from the layers next to the walls: there WA4 counts how fast the water
 /// comes at the wall, and not how fast it is stretched along it.
 #[test]
 fn sound_crosses_a_closed_box_at_its_speed() {

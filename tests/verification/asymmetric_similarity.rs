@@ -87,7 +87,7 @@ fn boundary_elements_keep_the_similar_flow() {
 
 /// A wedge that is stopped ends the flow with place and speed.
 #[test]
-fn a_rolled_wedge_that_stops_is_told() {
+fn a_rolled_wedge_that_stops_ends_with_a_reason() {
     let deadrises = [25.0, 40.0].map(f64::to_radians);
     let mut flow = RolledFlow::new(deadrises, [1.0; 2], START, SPEED, 9.81).expect("in range");
     let FlowEnded { draught, speed } = (0..1000).find_map(|_| flow.step(|_| -1000.0).err()).expect("an end");

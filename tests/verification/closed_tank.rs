@@ -56,7 +56,7 @@ fn a_full_tank_is_at_rest_under_a_pressure_with_the_mean_0() {
     .expect("a stable run");
     let (weight, force) = (fluid.mass() * GRAVITY, walls.fy.iter().sum::<f64>());
     println!("force {force:.3} N/m, weight {weight:.3} N/m, steps {}", fluid.steps());
-    assert!((force / weight + 1.0).abs() < 1e-3, "walls bear {force:.3} of {weight:.3} N/m");
+    assert!((force / weight + 1.0).abs() < 1e-3, "walls carry {force:.3} of {weight:.3} N/m");
 }
 
 /// Places, velocities and pressures by identity, to the bit.

@@ -64,7 +64,7 @@ fn steps_taken_back_come_again_to_the_same_bits() {
 }
 
 /// A light tilted box, free in all directions: the accelerations of one step, found at once or by iterations, are the same,
-/// and those that its forces cause. Weak coupling sees others. (Trial accelerations also bend the walls' path within the
+/// and those that its forces cause. Weak coupling has others. (Trial accelerations also bend the walls' path within the
 /// step, by Δt²/8 of them at its middle: at once and by iterations differ by some 10⁻⁴.)
 #[test]
 fn the_three_ways_to_agree_find_the_same_accelerations() {

@@ -167,7 +167,7 @@ fn landing_at(at: FirstTouch) -> &'static Summary {
 /// The file's coefficients stand for all cells: longitudinal accelerations within a factor 1.5 in 10 of 14, vertical ones in 7; none above
 /// the tests by more than 2.2, none below by more than 2.8; the pitch never passes that of the first touch by a degree.
 #[test]
-fn loads_of_a_mercure_beside_model_tests() {
+fn loads_of_a_mercure_against_model_tests() {
     let mut within = [0, 0];
     for (attack, path, mass, vertical, longitudinal) in MODEL_TESTS {
         let s = landing_at((attack, path, mass));

@@ -1,4 +1,4 @@
-//! Parts of an aeroplane that meet the water, bounds of suction, and what the fuselage bears (THEORY EN25–EN29).
+//! Parts of an aeroplane that meet the water, bounds of suction, and section forces of the fuselage (THEORY EN25–EN29).
 
 use evidence::landing::{self as plain, CENTRE, RHO};
 use scenarios::ditching::{self, Landed};
@@ -98,7 +98,7 @@ fn mercure(sets: &[&str]) -> Landed {
     ditching::follow(&ditching::load("mercure", &sets).expect("a landing"))
 }
 
-/// Water that bears no suction is water without suction; that which bears much is the theory's.
+/// A largest suction of 0 is water without suction; a large one is the theory's.
 #[test]
 fn suction_is_bounded() {
     let z = |sets: &[&str]| mercure(&[&["landing.end=1.0"], sets].concat()).series.column("z_m").expect("a column");
@@ -111,7 +111,7 @@ fn suction_is_bounded() {
     assert!(most > -2e4 * (1.0 + 1e-9) && most < -1.9e4, "{most} Pa");
 }
 
-/// A part is lost at the load that it holds, and then bears nothing; a bottom that gives way leaves a frame in the water.
+/// A part is lost at the load that it holds, and then has no load; a bottom that gives way leaves a frame in the water.
 #[test]
 fn parts_are_lost_at_their_loads() {
     let landed = mercure(&["landing.end=0.5"]);
@@ -135,10 +135,10 @@ fn parts_are_lost_at_their_loads() {
     assert!(speed(&landing) < whole - 0.5, "and stops it: {} against {whole} m/s", speed(&landing));
 }
 
-/// Afloat at rest, uniform masses on a uniform hull: no cut bears anything. A mass at its middle bends the ends upwards: with the weight P there and
+/// Afloat at rest, uniform masses on a uniform hull: no cut has a force. A mass at its middle bends the ends upwards: with the weight P there and
 /// the rest spread, M = P L/8.
 #[test]
-fn cuts_of_a_floating_hull_bear_what_statics_says() {
+fn cuts_of_a_floating_hull_have_the_forces_of_statics() {
     let hull = prism();
     let mut landing = landing(&hull);
     landing.water.friction = 0.0;

@@ -1,4 +1,4 @@
-//! A drop of water stretched by a straining flow (Monaghan 1994): it stays an ellipse, and its semi-axes obey an
+//! A drop of water stretched by a straining flow (Monaghan 1994): it stays an ellipse, and its semi-axes follow an
 //! ordinary differential equation, here tabulated. No walls, no gravity, a free surface all round.
 
 use evidence::bare::{advance, lattice, parameters};
@@ -67,7 +67,7 @@ fn a_stretched_drop_keeps_to_its_ellipse() {
 }
 
 /// On a lattice whose rows lie along the strain the drop ends too thick, by some 5 % at any spacing: rows are squeezed
-/// together, buckle and leave gaps that the densities know nothing of. The remedy is the test before.
+/// together, buckle and leave gaps that the densities do not show. The remedy is the test before.
 #[test]
 fn a_drop_on_a_lattice_along_the_strain_thickens() {
     let [a, b, _] = errors(0.05, 0.0);

@@ -37,8 +37,8 @@ fn water_at_the_body_is_as_fine_as_asked() {
     let body = system.bodies().find(|b| b.motion().is_some()).expect("a wedge");
     for k in 0..p.len() {
         assert!(spacing(k) > 0.95, "finer than asked: {}", spacing(k));
-        let beside = d.moments[k].wall_kernel_sum > 0.02 && body.signed_distance([p.x[k], p.y[k]]) < 0.05;
-        assert!(!beside || spacing(k) < 1.1, "{} spacings at ({}, {})", spacing(k), p.x[k], p.y[k]);
+        let near_wall = d.moments[k].wall_kernel_sum > 0.02 && body.signed_distance([p.x[k], p.y[k]]) < 0.05;
+        assert!(!near_wall || spacing(k) < 1.1, "{} spacings at ({}, {})", spacing(k), p.x[k], p.y[k]);
     }
 }
 

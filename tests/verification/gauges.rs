@@ -44,8 +44,8 @@ fn a_gauge_shows_the_mean_pressure_over_its_length() {
     assert!(lengths.iter().zip([0.0, 0.6, 0.3]).all(|(a, b)| (a - b).abs() < 1e-9), "{lengths:?}");
 }
 
-/// The filter sees every step: what it shows at a moment does not depend on how often it is looked at, and is what
-/// the formula makes of the unfiltered pressure of every step.
+/// The filter gets every step: its value at a time does not depend on the times at which it is read, and is that of
+/// the formula for the unfiltered pressure of every step.
 #[test]
 fn a_filtered_gauge_does_not_alias() {
     let gauges = "gauges=[{ name = 'raw', on = 'fixed', at = [0.0, -1.0] },

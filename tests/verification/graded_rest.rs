@@ -4,7 +4,7 @@ use evidence::statistics::mean;
 use evidence::systems::{advance, of_text};
 use run::{RunOptions, run};
 
-/// A deep tank whose rows grow from 0.02 to about 0.8 m.
+/// A deep tank whose layers grow from 0.02 to about 0.8 m.
 const STILL: &str = "
 name = 'still'
 symmetry = 'x'
@@ -39,7 +39,7 @@ motion = 'constant_velocity'
 velocity = [0.0, -1.0]
 ";
 
-/// Without WC28, here with a surface that is off by a micrometre, coarse rows ring the tank.
+/// Without WC28, here with a surface that is off by a micrometre, coarse layers ring the tank.
 #[test]
 fn a_deep_tank_stays_at_rest() {
     let kinetic = |sets: &[&str]| {
@@ -54,7 +54,7 @@ fn a_deep_tank_stays_at_rest() {
     assert!(audit < 1e-10, "{audit}");
 }
 
-/// Without PR18 all water accelerates by 0.02 g, and the tank gets 5 J/m. With images of one size only beside the plane of symmetry (PR5)
+/// Without PR18 all water accelerates by 0.02 g, and the tank gets 5 J/m. With images of one size only next to the plane of symmetry (PR5)
 /// deep particles count as near air, and it gets 29.
 #[test]
 fn a_deep_tank_of_incompressible_water_does_not_sink() {

@@ -1,7 +1,7 @@
 //! The embedding element: what the nodes get is what the water lost, steps come again, and a host's wedge is the scene's (THEORY
 //! CO29–CO32).
 
-use evidence::door::{
+use evidence::host_wedge::{
     MASS, bits, element, moved, placed, schemes, spec, swinging, total, wedge_of_nodes, wedge_of_the_scene,
 };
 use fsi_coupling::embed::{
@@ -290,7 +290,7 @@ fn a_hosts_wedge_falls_like_the_scenes() {
     let ElementScheme::WeaklyCompressible(own) = spec().scheme else { panic!("the default scheme") };
     assert_eq!(
         settings,
-        // an element does not know the speed that bounds a scene's tension
+        // an element has no speed that bounds a scene's tension
         wcsph::Settings { cfl, acoustic_steps: 1.into(), cavitation_pressure: Some(-1e9), ..own },
         "what a scene calls defaults are the element's"
     );
@@ -374,7 +374,7 @@ fn a_chain_in_still_water_carries_its_weight() {
             element.contribute(HostStep { dt: 0.02, nodes: &nodes }, &mut forces).expect("a step");
             (0..7).for_each(|n| mean[n] += if k >= 10 { 0.1 * forces[n][1] } else { 0.0 });
         }
-        // the water beside the backing pushes its ends inwards, a third of the depth above the chain: a moment on the last
+        // the water next to the backing pushes its ends inwards, a third of the depth above the chain: a moment on the last
         // sides, which straight ones carry as a couple of forces
         let (weight, moment) = (9810.0 * 0.2 * 0.1, 9810.0 * 0.2_f64.powi(3) / 6.0);
         let couple = if rotations { 0.0 } else { moment / 0.1 };

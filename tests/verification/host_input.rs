@@ -1,6 +1,6 @@
 //! The embedding element: what is refused, with which words; what is sized and shown.
 
-use evidence::door::{MASS, bits, element, moved, placed, spec, wedge_of_nodes};
+use evidence::host_wedge::{MASS, bits, element, moved, placed, spec, wedge_of_nodes};
 use fsi_coupling::Motion;
 use fsi_coupling::embed::{FluidElementSpec, HostError, HostNodes, HostStep, Topology};
 
@@ -23,11 +23,14 @@ fn bad_steps_are_refused_and_change_nothing() {
     let short = with(|n| n.position.truncate(4));
     assert_eq!(
         said(1e-3, &short, &mut forces),
-        format!("positions of {} values, expected {count}: one a node", count - 1)
+        format!("positions: given {} values, expected {count}, one for each node", count - 1)
     );
     assert!(said(1e-3, &good, &mut forces[1..]).starts_with(&format!("nodal forces of {} values", count - 1)));
     let turned = with(|n| n.rotation = vec![0.0; n.position.len()]);
-    assert_eq!(said(1e-3, &turned, &mut forces), format!("rotations of {count} values, expected 0: one a node"));
+    assert_eq!(
+        said(1e-3, &turned, &mut forces),
+        format!("rotations: given {count} values, expected 0, one for each node")
+    );
     let lost = said(1e-3, &with(|n| n.velocity[2][0] = f64::NAN), &mut forces);
     assert!(lost.starts_with("node 2 at t = 1.000000e-3 s: velocity [NaN, -6.15], expected finite numbers"), "{lost}");
     let fast = said(1e-3, &with(|n| n.position[1][0] += 0.5), &mut forces);

@@ -110,7 +110,7 @@ fn the_momentum_of_the_water_is_the_integral_of_its_potential() {
     }
 }
 
-/// Scolan's benchmark: clamped faces, beside the coupled computations of Fourey (2010) and Li (2015), which differ from each other by
+/// Scolan's benchmark: clamped faces, against the coupled computations of Fourey (2010) and Li (2015), which differ from each other by
 /// some per cent of the peak. The linear theory takes no account of the slope and the deflection of the face in its flow.
 #[test]
 fn clamped_faces_bend_much_as_coupled_computations_say() {

@@ -23,7 +23,7 @@ fn smoothed(f: impl Fn(f64) -> f64, r: f64, support: f64) -> f64 {
 }
 
 /// The exact pressure, smoothed by a kernel: at the keel it is 4.6, 8.1 and 13.6 % low at 55, 60 and 65 degrees, the law from the face
-/// beside it 2.8, 2.7 and 2.3 %: the next term of the corner's flow, r^(π/α), is not in the law. A fit of it as well has no bias, and a
+/// next to it 2.8, 2.7 and 2.3 %: the next term of the corner's flow, r^(π/α), is not in the law. A fit of it as well has no bias, and a
 /// scatter of 5 to 10 % in runs.
 #[test]
 fn the_law_of_the_keel_takes_back_what_a_kernel_takes_off_the_cusp() {

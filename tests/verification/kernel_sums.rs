@@ -32,7 +32,7 @@ fn moments(kernel: Kernel, disorder: f64) -> Vec<KernelMoments> {
     by_id
 }
 
-/// Rows and columns at least four from the edge see a full kernel of support 2h = 3 spacings.
+/// Rows and columns at least four from the edge have a full kernel of support 2h = 3 spacings.
 fn interior() -> impl Iterator<Item = usize> {
     (4..SIDE - 4).flat_map(|j| (4..SIDE - 4).map(move |i| j * SIDE + i))
 }
@@ -82,20 +82,20 @@ fn a_disordered_interior_is_not_taken_for_a_surface() {
     }
 }
 
-/// On a flat free surface and at a corner λ falls below 0.7 (Marrone et al. 2010); one row further in it does not.
-/// The surface row is not yet spray.
+/// On a flat free surface and at a corner λ falls below 0.7 (Marrone et al. 2010); one layer further in it does not.
+/// The surface layer is not yet spray.
 #[test]
-fn a_free_surface_is_the_outer_row_and_nothing_else() {
+fn a_free_surface_is_the_outer_layer_and_nothing_else() {
     let around = moments(Kernel::WendlandC2, 0.0);
     let at = |i: usize, j: usize| &around[j * SIDE + i];
     let middle = SIDE / 2;
     for surface in [at(middle, SIDE - 1), at(0, middle), at(0, 0)] {
         assert!(surface.lambda < SURFACE_LAMBDA, "λ = {}", surface.lambda);
     }
-    assert!(at(middle, SIDE - 2).lambda > SURFACE_LAMBDA, "second row: λ = {}", at(middle, SIDE - 2).lambda);
+    assert!(at(middle, SIDE - 2).lambda > SURFACE_LAMBDA, "second layer: λ = {}", at(middle, SIDE - 2).lambda);
     assert!(
         at(middle, SIDE - 1).fluid_kernel_sum() > TENSIONLESS_KERNEL_SUM,
-        "top row {}",
+        "top layer {}",
         at(middle, SIDE - 1).fluid_kernel_sum()
     );
 }

@@ -114,7 +114,7 @@ fn boxes_that_collide_afloat_keep_momentum_and_gain_no_energy() {
     }
 }
 
-/// A box that sinks onto the floor lies there on a film of two spacings, borne by the contact: its impulse per time is the weight, and what
+/// A box that sinks onto the floor lies there on a film of two spacings; the contact carries it: its impulse per time is the weight, and what
 /// stopped the box, less the force of the water, which is the buoyancy.
 #[test]
 fn a_box_that_lands_on_the_floor_lies_there() {
@@ -131,21 +131,21 @@ fn a_box_that_lands_on_the_floor_lies_there() {
         })
         .expect("a stable run");
         let (m, time) = (motion(&system, 0), system.fluid.time() - start.0);
-        let borne = (system.touched()[0].impulse - start.1) / time;
+        let carried = (system.touched()[0].impulse - start.1) / time;
         let expected = 160.0 * ((m.velocity[1] - start.2) / time + 9.81) - water / time;
         println!(
-            "{solver}: borne {borne} N/m, weight less water {expected} N/m, water {water}; {m:?}",
+            "{solver}: carried {carried} N/m, weight less water {expected} N/m, water {water}; {m:?}",
             water = water / time / buoyancy
         );
         assert!((m.position[1] + 0.66).abs() < 0.005 && m.angle.abs() < 0.02, "{m:?}");
         assert!(system.momentum_audit().worst < 1e-10);
         assert!(system.penetration().count <= 1, "{:?}", system.penetration());
         assert!((water / time / buoyancy - 1.0).abs() < 0.2, "{solver}: {} of {buoyancy} N/m", water / time);
-        assert!((borne / expected - 1.0).abs() < 0.03, "{solver}: {borne} N/m instead of {expected} N/m");
+        assert!((carried / expected - 1.0).abs() < 0.03, "{solver}: {carried} N/m instead of {expected} N/m");
     }
 }
 
-/// Boxes of other breadths, masses, tilts and spacings: thrown up or broken down with a film of one row (`contact.gap = 1`).
+/// Boxes of other breadths, masses, tilts and spacings: thrown up or broken down with a film of one layer (`contact.gap = 1`).
 #[test]
 fn no_box_that_lands_is_thrown_up() {
     let cases = [(250.0, 0.05, 0.0), (400.0, 0.05, 0.0), (250.0, 0.05, 5.0), (400.0, 0.033, 12.0), (400.0, 0.03, 0.0)];

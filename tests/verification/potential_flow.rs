@@ -15,7 +15,7 @@ fn wedge(deadrise_deg: f64) -> Section {
     Section::wedge(deadrise_deg, 100.0).expect("a section")
 }
 
-/// At constant speed without gravity force and largest pressure stay those of the exact solution, at deadrises beside the round ones too.
+/// At constant speed without gravity force and largest pressure stay those of the exact solution, at deadrises that are no round numbers too.
 #[test]
 fn a_wedge_at_constant_speed_has_the_similar_flow() {
     for deadrise in [13.0, 22.0, 30.0, 37.0, 38.0, 43.5, 52.0, 58.0, 60.0] {
@@ -76,7 +76,7 @@ fn a_free_wedge_slows_down_as_in_others_boundary_elements() {
 
 /// A wedge that is stopped ends the flow with place and speed.
 #[test]
-fn a_wedge_that_stops_is_told() {
+fn a_wedge_that_stops_ends_with_a_reason() {
     let mut flow = EntryFlow::new(&wedge(30.0), START, SPEED, 9.81).expect("in range");
     let ended = (0..1000).find_map(|_| flow.step(|_| -1000.0).err()).expect("an end");
     assert!(ended.speed <= 0.0 && ended.draught == flow.draught(), "{ended}");

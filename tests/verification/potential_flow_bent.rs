@@ -148,10 +148,10 @@ fn bent_bottoms_are_near_particles() {
     }
 }
 
-/// A knuckle beside the chine changes little once the chine is wet: the force is near that about the bottom without it. With elements on the
+/// A knuckle next to the chine changes little once the chine is wet: the force is near that about the bottom without it. With elements on the
 /// last face shorter than those of the surface that leaves it, the potential at the chine oscillated and the force was two to five times as large.
 #[test]
-fn a_knuckle_beside_a_wet_chine_changes_little() {
+fn a_knuckle_next_to_a_wet_chine_changes_little() {
     for (near, plain) in [
         ([[0.93, 43.4], [1.0, 51.2]], 43.4),
         ([[0.96, 30.0], [1.0, 40.0]], 30.0),

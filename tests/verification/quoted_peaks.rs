@@ -24,7 +24,7 @@ fn the_quoted_peak_of_a_round_bottom_does_not_follow_the_speed_of_sound() {
     assert_eq!((slow.verdict, fast.verdict), (Verdict::Resolved, Verdict::Resolved));
     assert!((slow.value / fast.value - 1.0).abs() < 0.03, "{slow:?} {fast:?}");
     assert!(fast.raw / slow.raw > 1.15, "{slow:?} {fast:?}");
-    // a start on the water meets a row at once: an eighth more, at either speed of sound, and not resolved
+    // a start on the water meets a layer at once: an eighth more, at either speed of sound, and not resolved
     let touch = ["resolution.spacing=0.01", "time.end=0.012", "fluid.sound_speed=480", "time.start=0"];
     let touching = peak_force(&summary("fuselage_section", &touch));
     assert_eq!(touching.verdict, Verdict::Acoustic);
@@ -48,7 +48,7 @@ fn a_peak_within_six_spacings_of_draught_is_not_resolved() {
     );
 }
 
-/// A light drop at 8 mm, whose peak comes at 6.8 mm: the doubt names the spacing that theory asks for, before and after the run.
+/// A light drop at 8 mm, whose peak comes at 6.8 mm: the doubt gives the spacing that theory requires, before and after the run.
 #[test]
 fn a_light_drop_is_not_resolved_whatever_draught_the_run_shows() {
     let summary = summary("wedge", &["body.mass=2.72", "time.end=0.006", "resolution.spacing=0.008"]);

@@ -19,7 +19,7 @@ fn pressure_error(system: &Coupled, depth: f64) -> f64 {
 }
 
 /// Water at rest under gravity stays at rest: p = ρ g h within 1 %, and the level within a quarter of a spacing. Where
-/// cells grow by 5 % a row, to 7 cm at the floor, within 2.5 %: that is how the probe reads uneven cells, which stay as they are (WC28). A
+/// cells grow by 5 % a layer, to 7 cm at the floor, within 2.5 %: that is how the probe reads uneven cells, which stay as they are (WC28). A
 /// staggered lattice is still falling apart at that moment: 2 % (measured: 1.03 %).
 #[test]
 fn still_water_carries_its_weight() {

@@ -1,9 +1,9 @@
-//! What a strip does is what the water was told that it does (THEORY CO18).
+//! The water uses the motion that the strip makes (THEORY CO18).
 
 use evidence::strip::{Floor, PERIOD};
 use fsi_coupling::{Iteration, Scheme};
 
-/// Accelerations of the strip's particles after a step against those that the water saw in it, root of the sum of squares, mean
+/// Accelerations of the strip's particles after a step against those that the water had in it, root of the sum of squares, mean
 /// over a quarter of the wet period.
 fn mismatch(floor: &Floor) -> f64 {
     let scheme = Scheme::IqnIls(Iteration { tolerance: 1e-8, max_iterations: 60 });
@@ -24,7 +24,7 @@ fn mismatch(floor: &Floor) -> f64 {
 }
 
 /// They differ by what the step does not resolve, and less than half as much at half the step, whatever the strip weighs
-/// (20 rows of water; ρ_s t/(ρ L) = 1, 0.1, 0.01).
+/// (20 layers of water; ρ_s t/(ρ L) = 1, 0.1, 0.01).
 #[test]
 fn the_water_sees_the_accelerations_that_the_strip_has() {
     for (ratio, most) in [(1.0, 0.025), (0.1, 0.07), (0.01, 0.25)] {

@@ -131,7 +131,7 @@ fn a_neutral_cylinder_stays() {
     }
 }
 
-/// A box afloat beside the lattice: before PR19 the mean force sideways was 6.6 % of that of still water on a side.
+/// A box afloat off the lattice: before PR19 the mean force sideways was 6.6 % of that of still water on a side.
 #[test]
 fn a_box_afloat_off_the_lattice_is_not_pushed_sideways() {
     let spacing = 0.0125;

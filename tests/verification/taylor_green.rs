@@ -113,7 +113,7 @@ fn a_lattice_that_collapses_at_stagnation_points_eats_the_vortices() {
     assert!(error > 0.2 && left < 0.6 * kinetic, "error {error:.3}, energy {left:.3}: the lattice held");
 }
 
-/// A projection knows no air where periods close the water (PR5), so that nothing gives its pressure a level: the mean is 0
+/// A projection has no air where periods close the water (PR5), so that its pressure has no given level: the mean is 0
 /// (LS5). 12, 24, 48 particles to the side: the velocity's error falls every time.
 #[test]
 fn vortices_decay_under_a_projection_whose_pressure_nothing_gives_a_level() {

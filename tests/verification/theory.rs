@@ -146,7 +146,7 @@ fn the_similarity_solution_exists_for_every_deadrise_and_tends_to_wagners() {
 }
 
 /// The surface of the similarity flow ends at still water, far away, and what stands above still water is what the wedge
-/// displaces: nothing in the solution was told so.
+/// displaces: the solution does not assume it.
 #[test]
 fn the_surface_of_the_similarity_flow_holds_the_water_displaced() {
     for deadrise in [10.0, 30.0, 60.0] {

@@ -12,8 +12,8 @@ const SOLVER: &str = "solver=incompressible_thesis";
 /// A single pass of the corrector.
 const ONE_PASS: &str = "thesis.inner_passes=1";
 
-/// Largest error of a particle's pressure against ρ g times its depth below the top row, where p = 0, over that of the
-/// lowest row [-].
+/// Largest error of a particle's pressure against ρ g times its depth below the top layer, where p = 0, over that of the
+/// lowest layer [-].
 fn pressure_error(system: &Coupled) -> f64 {
     let p = system.fluid.particles();
     let [top, floor] = [p.y.iter().copied().fold(f64::MIN, f64::max), p.y.iter().copied().fold(f64::MAX, f64::min)];
@@ -37,11 +37,11 @@ fn advance(system: &mut Coupled, end: f64) -> u32 {
     steps
 }
 
-/// The thesis's column of 16 to 60 rows, here four particles wide, between walls: within 0.3 % of hydrostatic at rest whatever
+/// The thesis's column of 16 to 60 layers, here four particles wide, between walls: within 0.3 % of hydrostatic at rest whatever
 /// h is from 1 to 1.25 spacings, and at rest.
 #[test]
 fn a_column_carries_its_weight() {
-    for (rows, set, end) in [
+    for (layers, set, end) in [
         (16, "fluid.smoothing_ratio=1.0", 2.0),
         (32, "fluid.smoothing_ratio=1.0", 0.8),
         (60, "fluid.smoothing_ratio=1.0", 0.5),
@@ -49,7 +49,7 @@ fn a_column_carries_its_weight() {
         (16, "fluid.smoothing_ratio=1.1", 0.8),
         (16, "fluid.smoothing_ratio=1.25", 0.8),
     ] {
-        let depth = 0.05 * f64::from(rows);
+        let depth = 0.05 * f64::from(layers);
         let text = format!(
             "name = \"column\"\n[time]\nend = 10.0\n[resolution]\nspacing = 0.05\n[tank]\nwidth = 0.2\ndepth = {depth}\n"
         );
@@ -59,13 +59,13 @@ fn a_column_carries_its_weight() {
         advance(&mut column, end);
         let (error, speed) = (pressure_error(&column), speed(&column, depth));
         println!(
-            "{rows} rows, {set}: {:.3} % at first, {:.4} % at {end} s, {speed:.1e} √(gH)",
+            "{layers} layers, {set}: {:.3} % at first, {:.4} % at {end} s, {speed:.1e} √(gH)",
             100.0 * first,
             100.0 * error
         );
-        assert!(first < 0.02, "{rows} rows, {set}: {:.2} % at first", 100.0 * first);
-        assert!(error < 3e-3, "{rows} rows, {set}: {:.3} %", 100.0 * error);
-        assert!(speed < 1e-4, "{rows} rows, {set}: {speed:.1e} √(gH)");
+        assert!(first < 0.02, "{layers} layers, {set}: {:.2} % at first", 100.0 * first);
+        assert!(error < 3e-3, "{layers} layers, {set}: {:.3} %", 100.0 * error);
+        assert!(speed < 1e-4, "{layers} layers, {set}: {speed:.1e} √(gH)");
     }
 }
 
@@ -94,7 +94,7 @@ fn the_tank_carries_its_weight() {
     }
 }
 
-/// Half of the tank beside a plane of symmetry is the tank.
+/// Half of the tank next to a plane of symmetry is the tank.
 #[test]
 fn half_a_tank_is_a_tank() {
     let mut tank = system("hydrostatic_tank", &[SOLVER, ONE_PASS, "symmetry=x", "resolution.spacing=0.05"]);

@@ -57,7 +57,7 @@ fn a_plate_parts_two_still_waters() {
 
 /// A plate under still water, wet all around and free at both ends, carries no more than its buoyancy: within 2 % of what
 /// one of its faces carries (measured: 0.1 to 0.9 %), and the water's mean speed stays within 4 % of √(gL) (measured: 2 to 3 %:
-/// water that has lost its lattice beside a free end does not come to rest altogether).
+/// water that has lost its lattice next to a free end does not come to rest altogether).
 #[test]
 fn a_plate_under_still_water_carries_no_force() {
     for (thickness, turned) in [(0.2, 0.0), (0.2, 0.6), (1.0, 0.6)] {
@@ -129,9 +129,9 @@ fn momentum_closes_around_a_free_plate_and_bits_do_not_depend_on_threads() {
     assert!(run(1) == run(3), "other bits with three threads");
 }
 
-/// A step that is taken back comes again to the same bits, beside a thin plate too.
+/// A step that is taken back comes again to the same bits, with a thin plate too.
 #[test]
-fn a_step_beside_a_plate_comes_again_to_the_same_bits() {
+fn a_step_next_to_a_plate_comes_again_to_the_same_bits() {
     let mut system = falling();
     take(&mut system, 60).expect("a stable run");
     system.checkpoint();

@@ -144,10 +144,10 @@ fn placement_error(mut body: Box<dyn Body>, half: bool, dt: f64) -> f64 {
     (0..handled.walls.len()).map(gap).fold(0.0, f64::max)
 }
 
-/// What `kinematics(dt)` promises, `advance(dt)` keeps to O(dt³): halving the step divides the gap by eight (by more than
-/// six is asked), unless it is rounding already.
+/// The motion of `kinematics(dt)` is that of `advance(dt)` to O(dt³): halving the step divides the gap by eight (the test
+/// requires six), unless it is rounding already.
 #[test]
-fn a_body_is_where_it_said_it_would_be_to_third_order() {
+fn a_body_is_where_it_was_predicted_to_third_order() {
     let rounding = 1e-13 * SIZE;
     for k in 0..cases().len() {
         let error = |dt: f64| {

@@ -74,7 +74,7 @@ fn height(spacing: f64, swing: f64) -> f64 {
     2.0 * harmonic(f64::sin).hypot(harmonic(f64::cos)) / (window.sin() / window).powi(2)
 }
 
-/// Within 5 %, which is how far heights at other spacings scatter: a height of 28 mm is one or two rows of particles.
+/// Within 5 %, which is how far heights at other spacings scatter: a height of 28 mm is one or two layers of particles.
 #[test]
 fn a_piston_makes_waves_of_the_height_that_theory_says() {
     let exact = 2.0 * SWING * 2.0 * ((2.0 * KH).cosh() - 1.0) / ((2.0 * KH).sinh() + 2.0 * KH);

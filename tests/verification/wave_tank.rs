@@ -13,7 +13,7 @@ const SHORT: [&str; 5] = [
     "time.sample_every=0.04",
 ];
 
-/// Both solvers, with the acoustic steps and the sound that waves want.
+/// Both solvers, with the acoustic steps and the speed of sound for waves.
 const SOLVERS: [&[&str]; 2] = [&[], &["solver=weakly_compressible", "fluid.sound_speed=15", "fluid.acoustic_steps=4"]];
 
 fn with<'a>(more: &[&'a str]) -> Vec<&'a str> {
@@ -61,7 +61,7 @@ fn audits_close_with_a_piston_and_a_beach() {
     }
 }
 
-/// A state that was stored goes on with the same bits in a tank that was made anew.
+/// A state that was stored goes on with the same bits in a tank that was made again.
 #[test]
 fn a_stored_wave_tank_goes_on_with_the_same_bits() -> Result<(), StateError> {
     for solver in SOLVERS {

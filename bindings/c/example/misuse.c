@@ -123,7 +123,7 @@ static void steps(void)
 {
     double at[2], v[2], angle = 0.0, spin = 0.0, force[3] = {7.0, 7.0, 7.0}, time = 7.0;
     splashdown_element *element = built(at, v), *none = (splashdown_element *)(void *)&time;
-    splashdown_contribution said;
+    splashdown_contribution given;
     const double still[2] = {at[0], at[1]}, dt = 1e-4;
 
     GIVES(SPLASHDOWN_NOTHING_SAVED, "", splashdown_restore(element));
@@ -133,7 +133,7 @@ static void steps(void)
     GIVES(SPLASHDOWN_NULL, "velocities", splashdown_contribute(element, dt, at, NULL, &angle, &spin, 1, force, NULL));
     GIVES(SPLASHDOWN_NULL, "rotations", splashdown_contribute(element, dt, at, v, NULL, &spin, 1, force, NULL));
     GIVES(SPLASHDOWN_NULL, "spins", splashdown_contribute(element, dt, at, v, &angle, NULL, 1, force, NULL));
-    GIVES(SPLASHDOWN_NULL, "forces", splashdown_contribute(element, dt, at, v, &angle, &spin, 1, NULL, &said));
+    GIVES(SPLASHDOWN_NULL, "forces", splashdown_contribute(element, dt, at, v, &angle, &spin, 1, NULL, &given));
     GIVES(SPLASHDOWN_LENGTH, "given 2, expected 1", splashdown_contribute(element, dt, at, v, &angle, &spin, 2, force, NULL));
     GIVES(SPLASHDOWN_INPUT, "", splashdown_contribute(element, 0.0, at, v, &angle, &spin, 1, force, NULL));
     GIVES(SPLASHDOWN_INPUT, "", splashdown_contribute(element, NAN, at, v, &angle, &spin, 1, force, NULL));
@@ -152,8 +152,8 @@ static void steps(void)
     OK(splashdown_time(element, &time));
     TRUE(time == start_time);
     at[1] += dt * v[1];
-    OK(splashdown_contribute(element, dt, at, v, &angle, &spin, 1, force, &said));
-    TRUE(said.fluid_steps >= 1 && fabs(said.impulse[1] - dt * force[1]) <= 1e-12 * fabs(said.impulse[1]));
+    OK(splashdown_contribute(element, dt, at, v, &angle, &spin, 1, force, &given));
+    TRUE(given.fluid_steps >= 1 && fabs(given.impulse[1] - dt * force[1]) <= 1e-12 * fabs(given.impulse[1]));
     GIVES(SPLASHDOWN_LENGTH, "nodes", splashdown_forces_now(element, force, 2));
     GIVES(SPLASHDOWN_NULL, "forces", splashdown_forces_now(element, NULL, 1));
     GIVES(SPLASHDOWN_NULL, "dt", splashdown_fluid_dt(element, NULL));

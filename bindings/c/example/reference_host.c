@@ -118,7 +118,7 @@ int main(int count, char **words)
             must(splashdown_restore(water));
             memcpy(predicted, found, sizeof predicted);
         }
-        /* the nodes are where the water saw them; their velocities take the impulse that it gave */
+        /* the nodes stay where they were predicted; their velocities take the impulse of the water */
         accelerations(&end, found, with);
         accelerations(&end, predicted, without);
         for (int k = 0; k < UNKNOWNS; ++k)

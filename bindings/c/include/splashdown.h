@@ -248,7 +248,7 @@ enum splashdown_status splashdown_set_threads(size_t count);
  *
  * `scene` is the name of a built-in scene or the path of a TOML file; `settings` are `count` texts "key=value" as of
  * `splashdown run --set`, NULL for none. `interface_kind` is one of splashdown_interface. Every option of a scene file may be used. The
- * motion of the body in the scene only tells what is expected (speed of sound, fine zone): the host moves the body.
+ * motion of the body in the scene only gives what is expected (speed of sound, fine zone): the host moves the body.
  *
  * Memory: `scene` and `settings[0..count]` are NULL or texts ended by a zero; `opened` is NULL or points to a handle.
  */
@@ -351,7 +351,7 @@ enum splashdown_status splashdown_contribute(struct splashdown_element *element,
                                              struct splashdown_contribution *contribution);
 
 /**
- * Remember the present state; replaces the one remembered before. A failed element has none: SPLASHDOWN_FAILED.
+ * Store the present state; it replaces the one stored before. A failed element has none: SPLASHDOWN_FAILED.
  */
 enum splashdown_status splashdown_save(struct splashdown_element *element);
 
@@ -361,7 +361,7 @@ enum splashdown_status splashdown_save(struct splashdown_element *element);
 enum splashdown_status splashdown_restore(struct splashdown_element *element);
 
 /**
- * The nodes now, as the water sees them: `n` nodes into arrays of the caller, as of splashdown_scene_nodes.
+ * The nodes at the present time of the water: `n` nodes into arrays of the caller, as of splashdown_scene_nodes.
  *
  * Memory: `positions` and `velocities` are NULL or of 2n values, `rotations` and `spins` NULL or of n values.
  */

@@ -47,7 +47,7 @@ pub(crate) unsafe fn read<T: Copy>(name: &str, from: *const T, into: &mut [T]) -
     Ok(())
 }
 
-/// Copy `values` to the caller, if it wants them: nothing is written to NULL.
+/// Copy `values` to the caller: nothing is written to NULL.
 ///
 /// # Safety
 /// `to` is NULL, or aligned and points to as many writable values as there are.

@@ -1,4 +1,4 @@
-//! What a step through the C interface allocates, beside the same step in Rust.
+//! Allocations of a step through the C interface, and of the same step in Rust.
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::ffi::CString;

@@ -76,7 +76,7 @@ impl Element {
         Ok(self.bytes.as_deref().unwrap_or_default())
     }
 
-    /// They are found anew when they are needed again.
+    /// They are computed again when they are needed.
     pub fn forget_bytes(&mut self) {
         self.bytes = None;
     }
@@ -115,7 +115,7 @@ pub unsafe extern "C" fn splashdown_contribute(
             unsafe { buffers::read_nodes([positions, velocities, rotations, spins], n, &mut element.nodes)? };
             (element.snapshot, element.bytes) = (None, None);
             let given = element.run.contribute(dt, &element.nodes, &mut element.forces)?;
-            let said = splashdown_contribution {
+            let reported = splashdown_contribution {
                 fluid_steps: u64::from(given.fluid_steps),
                 fluid_dt: given.fluid_dt,
                 host_dt: given.host_dt,
@@ -127,14 +127,14 @@ pub unsafe extern "C" fn splashdown_contribute(
             // SAFETY: aligned; 3n values and one structure by the contract of the caller.
             unsafe {
                 buffers::write(element.forces.as_flattened(), forces);
-                buffers::write(&[said], contribution);
+                buffers::write(&[reported], contribution);
             }
             Ok(())
         })
     })
 }
 
-/// Remember the present state; replaces the one remembered before. A failed element has none: SPLASHDOWN_FAILED.
+/// Store the present state; it replaces the one stored before. A failed element has none: SPLASHDOWN_FAILED.
 #[unsafe(no_mangle)]
 pub extern "C" fn splashdown_save(element: *mut splashdown_element) -> splashdown_status {
     guarded(|| {
@@ -156,7 +156,7 @@ pub extern "C" fn splashdown_restore(element: *mut splashdown_element) -> splash
     guarded(|| ELEMENTS.with(element, |element| Ok(element.run().restore()?)))
 }
 
-/// The nodes now, as the water sees them: `n` nodes into arrays of the caller, as of splashdown_scene_nodes.
+/// The nodes at the present time of the water: `n` nodes into arrays of the caller, as of splashdown_scene_nodes.
 ///
 /// Memory: `positions` and `velocities` are NULL or of 2n values, `rotations` and `spins` NULL or of n values.
 #[unsafe(no_mangle)]

@@ -139,7 +139,7 @@ mod tests {
     }
 
     #[test]
-    fn a_consumed_value_takes_its_handle_along_and_a_null_handle_is_told_apart() {
+    fn a_consumed_value_takes_its_handle_along_and_a_null_handle_has_its_own_error() {
         let handle: *mut u8 = NUMBERS.add(5);
         assert_eq!(NUMBERS.with_slot(handle, |slot| Ok(slot.take())).ok(), Some(Some(5)));
         assert_eq!(guarded(|| NUMBERS.with(handle, |_| Ok(()))), SPLASHDOWN_NO_HANDLE);

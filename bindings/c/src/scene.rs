@@ -59,7 +59,7 @@ static SCENES: Handles<HostedScene> = Handles::new("scene");
 ///
 /// `scene` is the name of a built-in scene or the path of a TOML file; `settings` are `count` texts "key=value" as of
 /// `splashdown run --set`, NULL for none. `interface_kind` is one of splashdown_interface. Every option of a scene file may be used. The
-/// motion of the body in the scene only tells what is expected (speed of sound, fine zone): the host moves the body.
+/// motion of the body in the scene only gives what is expected (speed of sound, fine zone): the host moves the body.
 ///
 /// Memory: `scene` and `settings[0..count]` are NULL or texts ended by a zero; `opened` is NULL or points to a handle.
 #[unsafe(no_mangle)]

@@ -78,7 +78,7 @@ def run(water, variables):
                 water.setFMUState(saved)
                 predicted, redone, rejected = found, True, rejected + 1
                 continue
-            # the nodes are where the water saw them; their velocities take the impulse that it gave
+            # the nodes stay where they were predicted; their velocities take the impulse of the water
             given, without = accelerations(there, speed, found), accelerations(there, speed, predicted)
             v = [speed[k] + DT * (given[k] - without[k]) for k in range(2 + BELLY)]
             time, x, predicted = reached, there, found
@@ -92,7 +92,7 @@ def run(water, variables):
     print(f"{STEPS} steps, {rejected} rejected")
 
 
-def hear(_environment, _status, _category, message):
+def ignore_message(_environment, _status, _category, message):
     print(message.decode(), file=sys.stderr)
 
 
@@ -103,7 +103,7 @@ def main():
     try:
         described = read_model_description(folder)
         water = FMU3Slave(guid=described.guid, modelIdentifier="splashdown", unzipDirectory=folder, instanceName="water")
-        water.instantiate(logMessage=hear)
+        water.instantiate(logMessage=ignore_message)
         water.enterInitializationMode()
         water.exitInitializationMode()
         run(water, {variable.name: variable for variable in described.modelVariables})

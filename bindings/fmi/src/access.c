@@ -26,21 +26,22 @@ static fmi3Status check(const struct access *a, fmi3ValueReference reference)
     const struct instance *instance = a->instance;
     const size_t index = (size_t)reference - 1;
     if (reference == 0 || index >= instance->layout.count) {
-        say(instance, fmi3Error, "%s: no variable has the value reference %u", a->call, (unsigned)reference);
+        log_message(instance, fmi3Error, "%s: no variable has the value reference %u", a->call, (unsigned)reference);
         return fmi3Error;
     }
     const struct variable *variable = &instance->layout.variables[index];
     if (variable->type != a->type) {
-        say(instance, fmi3Error, "%s: the variable %s has the type %s", a->call, variable->name, TYPE[variable->type]);
+        log_message(instance, fmi3Error, "%s: the variable %s has the type %s", a->call, variable->name,
+                    TYPE[variable->type]);
         return fmi3Error;
     }
     if (a->values_left < size_of(&instance->layout, index)) {
-        say(instance, fmi3Error, "%s: %zu values for the variable %s, expected %zu", a->call, a->values_left,
-            variable->name, size_of(&instance->layout, index));
+        log_message(instance, fmi3Error, "%s: %zu values for the variable %s, expected %zu", a->call, a->values_left,
+                    variable->name, size_of(&instance->layout, index));
         return fmi3Error;
     }
     if (a->writes && variable->causality == OUTPUT) {
-        say(instance, fmi3Error, "%s: the variable %s is an output", a->call, variable->name);
+        log_message(instance, fmi3Error, "%s: the variable %s is an output", a->call, variable->name);
         return fmi3Error;
     }
     const unsigned before = in(INSTANTIATED) | in(INITIALIZATION);
@@ -56,7 +57,7 @@ static bool next(struct access *a)
     }
     if (a->references_left == 0) {
         if (a->values_left > 0) {
-            say(a->instance, fmi3Error, "%s: %zu values too many", a->call, a->values_left);
+            log_message(a->instance, fmi3Error, "%s: %zu values too many", a->call, a->values_left);
             a->status = fmi3Error;
         }
         return false;
@@ -88,7 +89,7 @@ static struct access begin(fmi3Instance given, const char *call, enum type type,
     if (given == NULL) {
         a.status = fmi3Error;
     } else if ((references == NULL && nReferences > 0) || (values == NULL && nValues > 0)) {
-        say(given, fmi3Error, "%s: an array is NULL", call);
+        log_message(given, fmi3Error, "%s: an array is NULL", call);
         a.status = fmi3Error;
     }
     struct access trial = a;
@@ -172,7 +173,7 @@ fmi3Status fmi3SetString(fmi3Instance instance, const fmi3ValueReference valueRe
     while (next(&a)) {
         char *text = copy_of(values[a.first]);
         if (text == NULL) {
-            say(instance, fmi3Error, "fmi3SetString: a text is NULL, or there is no memory for it");
+            log_message(instance, fmi3Error, "fmi3SetString: a text is NULL, or there is no memory for it");
             return fmi3Error;
         }
         free(*a.text);

@@ -8,7 +8,7 @@
 
 #include "water.h"
 
-void say(const struct instance *instance, fmi3Status status, const char *format, ...)
+void log_message(const struct instance *instance, fmi3Status status, const char *format, ...)
 {
     static const char *const CATEGORY[] = {
         [fmi3Warning] = "logStatusWarning",
@@ -34,7 +34,7 @@ fmi3Status expect_mode(const struct instance *instance, const char *call, unsign
         return fmi3Error;
     }
     if ((in(instance->mode) & allowed) == 0) {
-        say(instance, fmi3Error, "%s is not allowed in the state %s", call, NAME[instance->mode]);
+        log_message(instance, fmi3Error, "%s is not allowed in the state %s", call, NAME[instance->mode]);
         return fmi3Error;
     }
     return fmi3OK;
@@ -95,7 +95,7 @@ static bool read_unit(struct instance *instance, const char *resources)
         fclose(file);
     }
     if (!read || instance->token == NULL) {
-        say(instance, fmi3Error, "%s cannot be read", path);
+        log_message(instance, fmi3Error, "%s cannot be read", path);
     }
     free(path);
     return read && instance->token != NULL;
@@ -132,12 +132,13 @@ fmi3Instance fmi3InstantiateCoSimulation(fmi3String instanceName, fmi3String ins
         made = (instance->texts[k] = copy_of("")) != NULL && made;
     }
     if (!made) {
-        say(instance, fmi3Error, "fmi3InstantiateCoSimulation needs a name, a token and the path of the resources");
+        log_message(instance, fmi3Error,
+                    "fmi3InstantiateCoSimulation needs a name, a token and the path of the resources");
     } else if (eventModeUsed || nRequiredIntermediateVariables > 0) {
-        say(instance, fmi3Error, "the unit has no Event Mode and no intermediate updates");
+        log_message(instance, fmi3Error, "the unit has no Event Mode and no intermediate updates");
     } else if (read_unit(instance, resourcePath)) {
         if (strcmp(instance->token, instantiationToken) != 0) {
-            say(instance, fmi3Error, "the token is %s, expected %s", instantiationToken, instance->token);
+            log_message(instance, fmi3Error, "the token is %s, expected %s", instantiationToken, instance->token);
         } else if (open_scene(instance) == fmi3OK) {
             set_start_values(instance);
             return instance;
@@ -181,8 +182,8 @@ fmi3Status fmi3EnterInitializationMode(fmi3Instance given, fmi3Boolean tolerance
         return status;
     }
     if (!isfinite(startTime) || (stopTimeDefined && !(stopTime > startTime))) {
-        say(instance, fmi3Error, "start %g s and stop %g s: expected a finite start before the stop", startTime,
-            stopTime);
+        log_message(instance, fmi3Error, "start %g s and stop %g s: expected a finite start before the stop", startTime,
+                    stopTime);
         return fmi3Error;
     }
     instance->start_time = instance->time = startTime;
@@ -236,5 +237,5 @@ const char *fmi3GetVersion(void) { return fmi3Version; }
 fmi3Status fmi3SetDebugLogging(fmi3Instance instance, fmi3Boolean loggingOn, size_t nCategories,
                                const fmi3String categories[])
 {
-    return instance == NULL ? fmi3Error : fmi3OK; /* warnings and errors are told always, and there is nothing else */
+    return instance == NULL ? fmi3Error : fmi3OK; /* warnings and errors are always logged, and there is nothing else */
 }

@@ -43,7 +43,7 @@ struct instance {
 };
 
 /* A warning or an error for the importer, with the format of printf. */
-void say(const struct instance *instance, fmi3Status status, const char *format, ...)
+void log_message(const struct instance *instance, fmi3Status status, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
 /* fmi3OK, or a message that names the call and the status of its error. */

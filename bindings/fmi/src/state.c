@@ -56,7 +56,7 @@ static bool divide(const struct instance *instance, const unsigned char *block, 
                && parts->settings[head->settings - 1] == '\0';
     }
     if (!ours) {
-        say(instance, fmi3Error, "%zu bytes are not a state of this unit in this version", size);
+        log_message(instance, fmi3Error, "%zu bytes are not a state of this unit in this version", size);
     }
     return ours;
 }
@@ -69,13 +69,14 @@ fmi3Status fmi3GetFMUState(fmi3Instance given, fmi3FMUState *FMUState)
     }
     size_t element = 0;
     if (instance->element != NULL) {
-        const fmi3Status status = told(instance, "fmi3GetFMUState", splashdown_state_size(instance->element, &element));
+        const fmi3Status status =
+            checked(instance, "fmi3GetFMUState", splashdown_state_size(instance->element, &element));
         if (status != fmi3OK) {
             return status;
         }
     }
     if (instance->element != NULL && *instance->texts[TEXT_RECORD] != '\0') {
-        const fmi3Status status = told(instance, "fmi3GetFMUState", splashdown_save(instance->element));
+        const fmi3Status status = checked(instance, "fmi3GetFMUState", splashdown_save(instance->element));
         if (status != fmi3OK) {
             return status;
         }
@@ -98,7 +99,7 @@ fmi3Status fmi3GetFMUState(fmi3Instance given, fmi3FMUState *FMUState)
     strncpy(head.token, instance->token, sizeof head.token - 1);
     unsigned char *block = malloc(head.size), *at = block;
     if (block == NULL) {
-        say(instance, fmi3Error, "fmi3GetFMUState: no memory for %llu bytes", (unsigned long long)head.size);
+        log_message(instance, fmi3Error, "fmi3GetFMUState: no memory for %llu bytes", (unsigned long long)head.size);
         return fmi3Error;
     }
     memcpy(at, &head, sizeof head);
@@ -111,7 +112,7 @@ fmi3Status fmi3GetFMUState(fmi3Instance given, fmi3FMUState *FMUState)
     at += head.settings;
     if (element > 0) {
         const fmi3Status status =
-            told(instance, "fmi3GetFMUState", splashdown_state_write(instance->element, at, element));
+            checked(instance, "fmi3GetFMUState", splashdown_state_write(instance->element, at, element));
         if (status != fmi3OK) {
             free(block);
             return status;
@@ -148,7 +149,7 @@ fmi3Status fmi3SetFMUState(fmi3Instance given, fmi3FMUState FMUState)
     const bool kept = parts.head.element > 0 && same_element(instance, &parts);
     char *settings = copy_of((const char *)parts.settings);
     if (settings == NULL) {
-        say(instance, fmi3Error, "fmi3SetFMUState: no memory");
+        log_message(instance, fmi3Error, "fmi3SetFMUState: no memory");
         return fmi3Error;
     }
     free(instance->texts[TEXT_SETTINGS]);
@@ -169,10 +170,10 @@ fmi3Status fmi3SetFMUState(fmi3Instance given, fmi3FMUState FMUState)
         }
     }
     if (kept && parts.head.saved > 0 && parts.head.saved == instance->saved) {
-        status = told(instance, "fmi3SetFMUState", splashdown_restore(instance->element));
+        status = checked(instance, "fmi3SetFMUState", splashdown_restore(instance->element));
     } else if (status == fmi3OK && parts.head.element > 0) {
-        status = told(instance, "fmi3SetFMUState",
-                      splashdown_state_read(instance->element, parts.element, parts.head.element));
+        status = checked(instance, "fmi3SetFMUState",
+                         splashdown_state_read(instance->element, parts.element, parts.head.element));
     }
     instance->failed = status != fmi3OK;
     return status;
@@ -208,7 +209,7 @@ fmi3Status fmi3SerializeFMUState(fmi3Instance given, fmi3FMUState FMUState, fmi3
         return fmi3Error;
     }
     if (size < needed) {
-        say(instance, fmi3Error, "fmi3SerializeFMUState: %zu bytes, expected %zu", size, needed);
+        log_message(instance, fmi3Error, "fmi3SerializeFMUState: %zu bytes, expected %zu", size, needed);
         return fmi3Error;
     }
     memcpy(serializedState, FMUState, needed);
@@ -225,7 +226,7 @@ fmi3Status fmi3DeserializeFMUState(fmi3Instance given, const fmi3Byte serialized
     }
     void *block = malloc(size);
     if (block == NULL) {
-        say(instance, fmi3Error, "fmi3DeserializeFMUState: no memory for %zu bytes", size);
+        log_message(instance, fmi3Error, "fmi3DeserializeFMUState: no memory for %zu bytes", size);
         return fmi3Error;
     }
     parts.head.saved = 0;

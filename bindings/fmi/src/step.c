@@ -18,33 +18,34 @@ fmi3Status fmi3DoStep(fmi3Instance given, fmi3Float64 currentCommunicationPoint,
     }
     if (eventHandlingNeeded == NULL || terminateSimulation == NULL || earlyReturn == NULL
         || lastSuccessfulTime == NULL) {
-        say(instance, fmi3Error, "fmi3DoStep: a pointer for a result is NULL");
+        log_message(instance, fmi3Error, "fmi3DoStep: a pointer for a result is NULL");
         return fmi3Error;
     }
     const double t = currentCommunicationPoint, dt = communicationStepSize;
     *eventHandlingNeeded = *terminateSimulation = *earlyReturn = fmi3False;
     *lastSuccessfulTime = instance->time;
     if (!(dt > 0.0) || !isfinite(dt)) {
-        say(instance, fmi3Discard, "fmi3DoStep: a step of %g s, expected a number above 0", dt);
+        log_message(instance, fmi3Discard, "fmi3DoStep: a step of %g s, expected a number above 0", dt);
         return fmi3Discard;
     }
     if (instance->failed) {
-        say(instance, fmi3Error, "fmi3DoStep: the step before failed; set a state from before it");
+        log_message(instance, fmi3Error, "fmi3DoStep: the step before failed; set a state from before it");
         return fmi3Error;
     }
     double water;
-    status = told(instance, "fmi3DoStep", splashdown_time(instance->element, &water));
+    status = checked(instance, "fmi3DoStep", splashdown_time(instance->element, &water));
     if (status != fmi3OK) {
         return status;
     }
     water += instance->start_time - instance->water_start;
     if (!(fabs(t - water) <= ROUNDING * dt)) {
-        say(instance, fmi3Error, "fmi3DoStep: the communication point is %.17g s, the water is at %.17g s", t, water);
+        log_message(instance, fmi3Error, "fmi3DoStep: the communication point is %.17g s, the water is at %.17g s", t,
+                    water);
         return fmi3Error;
     }
     if (instance->stop_time_defined && t + dt > instance->stop_time + ROUNDING * dt) {
-        say(instance, fmi3Error, "fmi3DoStep: the step ends at %.17g s, after the stop time of %.17g s", t + dt,
-            instance->stop_time);
+        log_message(instance, fmi3Error, "fmi3DoStep: the step ends at %.17g s, after the stop time of %.17g s", t + dt,
+                    instance->stop_time);
         return fmi3Error;
     }
     status = step_element(instance, dt);

@@ -4,8 +4,9 @@
 static fmi3Status refused(const struct instance *instance, const char *call)
 {
     if (instance != NULL) {
-        say(instance, fmi3Error,
-            "%s is not supported: the unit is one of co-simulation, without events, clocks and derivatives", call);
+        log_message(instance, fmi3Error,
+                    "%s is not supported: the unit is one of co-simulation, without events, clocks and derivatives",
+                    call);
     }
     return fmi3Error;
 }
@@ -16,7 +17,7 @@ static fmi3Status no_variable(const struct instance *instance, const char *call,
         return fmi3OK;
     }
     if (instance != NULL) {
-        say(instance, fmi3Error, "%s: the unit has no variable of this type", call);
+        log_message(instance, fmi3Error, "%s: the unit has no variable of this type", call);
     }
     return fmi3Error;
 }
@@ -25,7 +26,7 @@ static fmi3Instance no_instance(fmi3LogMessageCallback logger, fmi3InstanceEnvir
 {
     if (logger != NULL) {
         const struct instance asked = {.logger = logger, .environment = environment};
-        say(&asked, fmi3Error, "%s is not supported: the unit is one of co-simulation", call);
+        log_message(&asked, fmi3Error, "%s is not supported: the unit is one of co-simulation", call);
     }
     return NULL;
 }

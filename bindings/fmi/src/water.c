@@ -12,21 +12,21 @@ static const struct part {
 } PARTS[] = {{POSITION, 0, 2}, {VELOCITY, 2, 2}, {ROTATION, 4, 1}, {SPIN, 5, 1}};
 
 /* The message of the library's last error in this thread. */
-static fmi3Status tell(const struct instance *instance, fmi3Status status, const char *call)
+static fmi3Status report_last_error(const struct instance *instance, fmi3Status status, const char *call)
 {
     char text[4096] = "no message";
     splashdown_message(text, sizeof text);
-    say(instance, status, "%s: %s", call, text);
+    log_message(instance, status, "%s: %s", call, text);
     return status;
 }
 
-fmi3Status told(const struct instance *instance, const char *call, splashdown_status status)
+fmi3Status checked(const struct instance *instance, const char *call, splashdown_status status)
 {
     if (status == SPLASHDOWN_OK) {
         return fmi3OK;
     }
     const bool panic = status == SPLASHDOWN_PANIC || status == SPLASHDOWN_AFTER_PANIC;
-    return tell(instance, panic ? fmi3Fatal : fmi3Error, call);
+    return report_last_error(instance, panic ? fmi3Fatal : fmi3Error, call);
 }
 
 void nodes_of_inputs(const struct instance *instance, double *nodes)
@@ -112,17 +112,17 @@ static const char **all_settings(const struct instance *instance, char *text, co
 static fmi3Status take_nodes(struct instance *instance)
 {
     splashdown_scene_sizes size;
-    fmi3Status status = told(instance, "the sizes of the scene", splashdown_sizes(instance->scene, &size));
+    fmi3Status status = checked(instance, "the sizes of the scene", splashdown_sizes(instance->scene, &size));
     if (status != fmi3OK) {
         return status;
     }
     if (instance->numbers == NULL && !make_room(instance, size.nodes)) {
-        say(instance, fmi3Error, "no memory for %zu nodes", size.nodes);
+        log_message(instance, fmi3Error, "no memory for %zu nodes", size.nodes);
         return fmi3Error;
     }
     if (size.nodes != instance->layout.nodes) {
-        say(instance, fmi3Error, "the parameter settings changes the number of nodes to %zu; the unit has %zu",
-            size.nodes, instance->layout.nodes);
+        log_message(instance, fmi3Error, "the parameter settings changes the number of nodes to %zu; the unit has %zu",
+                    size.nodes, instance->layout.nodes);
         return fmi3Error;
     }
     const size_t n = size.nodes;
@@ -130,12 +130,12 @@ static fmi3Status take_nodes(struct instance *instance)
     for (size_t k = 0; k < size.warnings; k++) {
         char text[4096];
         if (splashdown_warning(instance->scene, k, text, sizeof text, NULL) == SPLASHDOWN_OK) {
-            say(instance, fmi3Warning, "%s", text);
+            log_message(instance, fmi3Warning, "%s", text);
         }
     }
-    return told(instance, "the nodes of the scene",
-                splashdown_scene_nodes(instance->scene, nodes, nodes + 2 * n, rotations_of(instance, nodes),
-                                       spins_of(instance, nodes), n));
+    return checked(instance, "the nodes of the scene",
+                   splashdown_scene_nodes(instance->scene, nodes, nodes + 2 * n, rotations_of(instance, nodes),
+                                          spins_of(instance, nodes), n));
 }
 
 fmi3Status open_scene(struct instance *instance)
@@ -150,10 +150,10 @@ fmi3Status open_scene(struct instance *instance)
     const char **settings = text == NULL ? NULL : all_settings(instance, text, spacing, &count);
     fmi3Status status = fmi3Error;
     if (settings == NULL) {
-        say(instance, fmi3Error, "no memory for the settings of the scene");
+        log_message(instance, fmi3Error, "no memory for the settings of the scene");
     } else {
-        status = told(instance, "the scene",
-                      splashdown_open(instance->scene_file, settings, count, instance->interface, &instance->scene));
+        status = checked(instance, "the scene",
+                         splashdown_open(instance->scene_file, settings, count, instance->interface, &instance->scene));
     }
     free(settings);
     free(text);
@@ -179,8 +179,9 @@ static void write_number(struct instance *instance, enum role role, double value
 
 fmi3Status read_forces_now(struct instance *instance)
 {
-    const fmi3Status status = told(instance, "the forces now",
-                                   splashdown_forces_now(instance->element, instance->forces, instance->layout.nodes));
+    const fmi3Status status =
+        checked(instance, "the forces now",
+                splashdown_forces_now(instance->element, instance->forces, instance->layout.nodes));
     if (status == fmi3OK) {
         write_loads(instance, FORCE_NOW, MOMENT_NOW);
     }
@@ -193,22 +194,22 @@ fmi3Status build_element(struct instance *instance, double *start)
     const char *folder = instance->texts[TEXT_RECORD];
     fmi3Status status = fmi3OK;
     if (*folder != '\0') {
-        status = told(instance, "the parameter record", splashdown_record(instance->scene, folder, 0));
+        status = checked(instance, "the parameter record", splashdown_record(instance->scene, folder, 0));
     }
     if (status == fmi3OK) {
-        status = told(instance, "building the water",
-                      splashdown_build(instance->scene, start, start + 2 * n, rotations_of(instance, start),
-                                       spins_of(instance, start), n, &instance->element));
+        status = checked(instance, "building the water",
+                         splashdown_build(instance->scene, start, start + 2 * n, rotations_of(instance, start),
+                                          spins_of(instance, start), n, &instance->element));
     }
     splashdown_free_scene(instance->scene);
     instance->scene = NULL;
     if (status == fmi3OK) {
         memmove(instance->built, start, 6 * n * sizeof *start);
-        status = told(instance, "the time", splashdown_time(instance->element, &instance->water_start));
+        status = checked(instance, "the time", splashdown_time(instance->element, &instance->water_start));
     }
     double dt;
     if (status == fmi3OK) {
-        status = told(instance, "the step of the water", splashdown_fluid_dt(instance->element, &dt));
+        status = checked(instance, "the step of the water", splashdown_fluid_dt(instance->element, &dt));
     }
     if (status == fmi3OK) {
         write_number(instance, FLUID_DT, dt);
@@ -256,9 +257,9 @@ fmi3Status step_element(struct instance *instance, double dt)
         splashdown_contribute(instance->element, dt, to, to + 2 * n, rotations_of(instance, to), spins_of(instance, to),
                               n, instance->forces, &given);
     if (done == SPLASHDOWN_INPUT) {
-        return tell(instance, fmi3Discard, "fmi3DoStep"); /* nothing has changed */
+        return report_last_error(instance, fmi3Discard, "fmi3DoStep"); /* nothing has changed */
     }
-    const fmi3Status status = told(instance, "fmi3DoStep", done);
+    const fmi3Status status = checked(instance, "fmi3DoStep", done);
     if (status != fmi3OK) {
         return status;
     }
@@ -274,7 +275,7 @@ fmi3Status finish_element(struct instance *instance)
 {
     splashdown_element *element = instance->element;
     instance->element = NULL;
-    return element == NULL ? fmi3OK : told(instance, "fmi3Terminate", splashdown_finish(element));
+    return element == NULL ? fmi3OK : checked(instance, "fmi3Terminate", splashdown_finish(element));
 }
 
 void drop_water(struct instance *instance)

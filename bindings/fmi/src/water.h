@@ -4,8 +4,8 @@
 
 #include "instance.h"
 
-/* The status of the importer for one of the library, after its message was said. */
-fmi3Status told(const struct instance *instance, const char *call, splashdown_status status);
+/* The status of the importer for one of the library, after its message was logged. */
+fmi3Status checked(const struct instance *instance, const char *call, splashdown_status status);
 
 /* Opens the scene with the settings of the unit and of the parameters; its nodes become `first`. */
 fmi3Status open_scene(struct instance *instance);

@@ -70,7 +70,7 @@ program reference_host
       redone = .true.
       rejected = rejected + 1
     end do
-    ! the nodes are where the water saw them; their velocities take the impulse that it gave
+    ! the nodes stay where they were predicted; their velocities take the impulse of the water
     next%v = next%v + dt*(accelerations(next, found) - accelerations(next, predicted))
     now = next
     predicted = found

@@ -81,7 +81,7 @@ def main() -> None:
                 water.restore()
                 predicted, redone, rejected = found, True, rejected + 1
                 continue
-            # the nodes are where the water saw them; their velocities take the impulse that it gave
+            # the nodes stay where they were predicted; their velocities take the impulse of the water
             given, without = accelerations(there, speed, found), accelerations(there, speed, predicted)
             v = [speed[k] + DT * (given[k] - without[k]) for k in range(2 + BELLY)]
             x, predicted = there, found

@@ -87,22 +87,22 @@ def sweep(
     command += [] if jobs is None else ["--jobs", str(jobs)]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
         try:
-            said, complained = process.communicate()
+            output, errors = process.communicate()
         except KeyboardInterrupt:
-            process.wait()  # it was told too, and ends its points
+            process.wait()  # the command gets the signal too, and ends its points
             raise
-    error = _error(said)
+    error = _error(output)
     if process.returncode == 2:
-        raise InputError(error or complained.strip())
+        raise InputError(error or errors.strip())
     if process.returncode != 0 and not (folder / "table.csv").is_file():
-        raise StepError(error or complained.strip())
+        raise StepError(error or errors.strip())
     return Sweep(folder)
 
 
-def _error(said: str) -> str:
+def _error(output: str) -> str:
     """The message in what the command printed."""
     try:
-        error = json.loads(said)["error"]["message"]
+        error = json.loads(output)["error"]["message"]
     except (KeyError, TypeError, ValueError):
         return ""
     return str(error)

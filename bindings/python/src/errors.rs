@@ -21,7 +21,7 @@ create_exception!(
     "A run or a step failed, or the object failed before. Of a run that failed the attribute run has what was computed, else None."
 );
 
-/// What InputError tells of a mistake in a scene.
+/// Attributes of InputError for a mistake in a scene.
 pub const SCENE_KEYS: [&str; 6] = ["file", "line", "key", "given", "expected", "help"];
 
 /// What was given is wrong.
@@ -38,9 +38,9 @@ pub fn step(text: impl ToString) -> PyErr {
 pub fn scene(py: Python<'_>, error: &SceneError) -> PyErr {
     let help = error.help().map_or(String::new(), |help| format!("\n{help}"));
     let raised = input(format!("{error}{help}"));
-    let told = error.to_json();
+    let mistake = error.to_json();
     for key in SCENE_KEYS {
-        let value = told.get(key).unwrap_or(&serde_json::Value::Null);
+        let value = mistake.get(key).unwrap_or(&serde_json::Value::Null);
         let set = match (value.as_str(), value.as_u64()) {
             (Some(text), _) => raised.value(py).setattr(key, text),
             (None, Some(number)) => raised.value(py).setattr(key, number),

@@ -1,4 +1,4 @@
-//! What is in the folder of a run besides text: the frames of its log.
+//! Files of a run that are not text: the frames of its log.
 
 use std::path::PathBuf;
 

@@ -11,7 +11,7 @@ use scene::Scene;
 
 use crate::call::{Guarded, refuse_fork};
 use crate::host_arrays::{check_forces, read_nodes, read_start, write_forces};
-use crate::run::told;
+use crate::run::results;
 use crate::settings::{assignments, text};
 use crate::{arrays, errors};
 
@@ -223,7 +223,7 @@ impl Host {
         snapshot_dict(py, snapshot)
     }
 
-    /// Remember the present state; it replaces the one remembered before. A host that failed remembers nothing.
+    /// Store the present state; it replaces the one stored before. A host that failed stores nothing.
     fn save(&self) -> PyResult<()> {
         self.state.open()?.running()?.save();
         Ok(())
@@ -256,7 +256,7 @@ impl Host {
     fn finish<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyAny>>> {
         let run = self.state.open()?.run.take().ok_or_else(ended)?;
         let Some(outcome) = py.detach(|| run.finish()).map_err(|error| hosted(py, error))? else { return Ok(None) };
-        let (summary, scene, series) = told(py, &outcome, &self.scene)?;
+        let (summary, scene, series) = results(py, &outcome, &self.scene)?;
         let made = py.import("splashdown._run")?.getattr("ended")?.call1((&self.folder, summary, scene, series))?;
         Ok(Some(made))
     }

@@ -52,11 +52,11 @@ pub fn run_scene<'py>(
     if outcome.summary.status == Status::Interrupted {
         return Err(PyKeyboardInterrupt::new_err(()));
     }
-    told(py, &outcome, &loaded.scene)
+    results(py, &outcome, &loaded.scene)
 }
 
 /// Summary, scene and series of a run.
-pub fn told<'py>(py: Python<'py>, outcome: &Outcome, scene: &Scene) -> PyResult<(String, String, Columns<'py>)> {
+pub fn results<'py>(py: Python<'py>, outcome: &Outcome, scene: &Scene) -> PyResult<(String, String, Columns<'py>)> {
     let mut columns = Vec::new();
     for name in outcome.series.columns() {
         let column = outcome.series.column(name).unwrap_or_default();

@@ -191,7 +191,7 @@ impl Simulation {
         Ok(all)
     }
 
-    /// Remember the present state; it replaces the one remembered before.
+    /// Store the present state; it replaces the one stored before.
     fn save(&self) -> PyResult<()> {
         let mut state = self.state.open()?;
         let state = state.sound()?;

@@ -122,9 +122,9 @@ def test_scenes_that_cannot_be_hosted_are_refused() -> None:
     interface: Any = "bodies"
     with pytest.raises(splashdown.InputError, match="turning_nodes"):
         splashdown.Host("wedge", interface)
-    with pytest.raises(splashdown.InputError, match="spacing") as told:
+    with pytest.raises(splashdown.InputError, match="spacing") as raised:
         splashdown.Host("wedge", set={"resolution.spacing": -1})
-    assert told.value.key == "resolution.spacing"
+    assert raised.value.key == "resolution.spacing"
     with pytest.raises(splashdown.InputError, match="expected"):
         splashdown.Host("wedge", set={"model": "wagner"})
     with pytest.raises(splashdown.InputError, match="expected"):
@@ -177,16 +177,16 @@ def test_two_threads_never_wait_for_each_other(drop: dict[str, Any]) -> None:
     assert counts["done"] + counts["refused"] == 30 and counts["done"] > 0
 
 
-def test_two_hosts_run_beside_each_other(drop: dict[str, Any]) -> None:
+def test_two_hosts_run_in_two_threads(drop: dict[str, Any]) -> None:
     alone = moved(splashdown.Host("wedge", set=drop), 10)
-    beside: dict[int, Any] = {}
+    threaded: dict[int, Any] = {}
 
     def work(k: int) -> None:
-        beside[k] = moved(splashdown.Host("wedge", set=drop), 10)
+        threaded[k] = moved(splashdown.Host("wedge", set=drop), 10)
 
     threads = [threading.Thread(target=work, args=(k,)) for k in range(2)]
     for thread in threads:
         thread.start()
     for thread in threads:
         thread.join(timeout=60)
-    assert all(np.array_equal(beside[k], alone) for k in range(2))
+    assert all(np.array_equal(threaded[k], alone) for k in range(2))

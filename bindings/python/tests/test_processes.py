@@ -1,4 +1,4 @@
-"""Processes: spawned ones compute, forked ones are told so at once."""
+"""Processes: spawned ones compute, forked ones get an error at once."""
 
 import multiprocessing
 import sys

@@ -36,10 +36,10 @@ def test_panels_have_results() -> None:
 def test_a_run_that_breaks_down_keeps_what_it_computed() -> None:
     # Verlet's leapfrog without its Euler step (LE3) is unstable
     leapfrog = {"fluid.integrator": "verlet", "fluid.verlet_correction_every": 0}
-    with pytest.raises(splashdown.StepError, match="particle [0-9]+ at") as told:
+    with pytest.raises(splashdown.StepError, match="particle [0-9]+ at") as raised:
         splashdown.run("wedge_constant", set={"resolution.spacing": 0.1} | leapfrog)
-    assert told.value.run.status == "failed" and len(told.value.run.series["time_s"]) > 5
-    assert str(told.value) == told.value.run.summary["message"]
+    assert raised.value.run.status == "failed" and len(raised.value.run.series["time_s"]) > 5
+    assert str(raised.value) == raised.value.run.summary["message"]
 
 
 def test_other_threads_go_on_during_a_run() -> None:
@@ -94,16 +94,16 @@ def test_a_frame_that_is_not_there_is_refused(ended: splashdown.Run, frame: int)
 
 
 def test_a_mistake_has_its_key_and_line(tmp_path: pathlib.Path) -> None:
-    with pytest.raises(splashdown.InputError, match="spacing") as told:
+    with pytest.raises(splashdown.InputError, match="spacing") as raised:
         splashdown.run("wedge", set={"resolution.spacing": -1})
-    assert told.value.key == "resolution.spacing" and told.value.line is None
-    assert isinstance(told.value, ValueError)
+    assert raised.value.key == "resolution.spacing" and raised.value.line is None
+    assert isinstance(raised.value, ValueError)
     text = "\n".join(["depth = 1", "[resolution]", "spacing = 0.01"])
     scene = tmp_path / "own.toml"
     scene.write_text(text)
-    with pytest.raises(splashdown.InputError) as told:
+    with pytest.raises(splashdown.InputError) as raised:
         splashdown.run(scene)
-    assert told.value.line == 1 and told.value.file is not None and told.value.file.endswith("own.toml")
+    assert raised.value.line == 1 and raised.value.file is not None and raised.value.file.endswith("own.toml")
     with pytest.raises(splashdown.InputError, match="did you mean `wedge`"):
         splashdown.run("wegde")
 
@@ -191,8 +191,8 @@ def test_ctrl_c_ends_a_run_and_keeps_its_checkpoint(tmp_path: pathlib.Path) -> N
             assert process.poll() is None
             time.sleep(0.05)
         process.send_signal(signal.SIGINT)
-        said, _ = process.communicate(timeout=120)
-    assert said.strip() == "interrupted" and (out / "checkpoint.bin").is_file()
+        output, _ = process.communicate(timeout=120)
+    assert output.strip() == "interrupted" and (out / "checkpoint.bin").is_file()
 
 
 def test_a_scene_that_does_not_fit_in_memory_is_refused() -> None:

@@ -75,9 +75,9 @@ def test_a_step_is_positive_and_stable(drop: dict[str, Any], dt: float) -> None:
 
 
 def test_a_theory_has_no_steps() -> None:
-    with pytest.raises(splashdown.InputError, match="no steps") as told:
+    with pytest.raises(splashdown.InputError, match="no steps") as raised:
         splashdown.Simulation("wedge", set={"model": "wagner"})
-    assert told.value.key is None and told.value.file is None
+    assert raised.value.key is None and raised.value.file is None
 
 
 def test_a_step_that_fails_says_where() -> None:
@@ -87,9 +87,9 @@ def test_a_step_that_fails_says_where() -> None:
     for _ in range(20):
         simulation.step()
     simulation.save()
-    with pytest.raises(splashdown.StepError, match="t = ") as told:
+    with pytest.raises(splashdown.StepError, match="t = ") as raised:
         simulation.run_until(0.1)
-    assert told.value.run is None
+    assert raised.value.run is None
     with pytest.raises(splashdown.StepError, match="restore"):
         simulation.step()
     simulation.restore()
@@ -98,14 +98,14 @@ def test_a_step_that_fails_says_where() -> None:
 
 def test_two_threads_never_wait_for_each_other(drop: dict[str, Any]) -> None:
     simulation = splashdown.Simulation("wedge", set=drop)
-    told: list[str] = []
+    refused: list[str] = []
 
     def work() -> None:
         for _ in range(20):
             try:
                 simulation.step()
             except splashdown.StepError as error:
-                told.append(str(error))
+                refused.append(str(error))
 
     threads = [threading.Thread(target=work) for _ in range(4)]
     for thread in threads:
@@ -113,4 +113,4 @@ def test_two_threads_never_wait_for_each_other(drop: dict[str, Any]) -> None:
     for thread in threads:
         thread.join(timeout=60)
     assert not any(thread.is_alive() for thread in threads)
-    assert simulation.steps + len(told) == 80 and all("one call at a time" in text for text in told)
+    assert simulation.steps + len(refused) == 80 and all("one call at a time" in text for text in refused)

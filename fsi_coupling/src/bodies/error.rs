@@ -22,10 +22,12 @@ pub enum BodyError {
     #[error("body `{name}`: {reason}")]
     Structure { name: String, reason: String },
     /// A step too long for a mass on its spring.
-    #[error("body `{name}`: a step of {step:.3e} s is too long for `{mass}` on its spring: {longest:.3e} s would do")]
+    #[error(
+        "body `{name}`: a step of {step:.3e} s is too long for `{mass}` on its spring; expected at most {longest:.3e} s"
+    )]
     Spring { name: String, mass: String, step: f64, longest: f64 },
     /// The motion is not finite.
-    #[error("body `{name}`: its motion is no longer finite at t = {time:.6e} s")]
+    #[error("body `{name}`: its motion at t = {time:.6e} s is not finite; expected finite forces and a shorter step")]
     NotFinite { name: String, time: f64 },
 }
 

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-/// What a body with modes has borne so far.
+/// Extremes of a body with modes so far.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct ModalExtremes {
     /// Largest amplitude of each mode, by magnitude, and its time [s].

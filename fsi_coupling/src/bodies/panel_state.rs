@@ -28,11 +28,11 @@ pub struct PanelState {
     pub load: Vec<[f64; 3]>,
     /// Largest stress along it in an outer fibre at an element's end, by magnitude [Pa].
     pub stress: f64,
-    /// What it has borne so far.
+    /// Its extremes so far.
     pub worst: Worst,
-    /// What it has borne so far at each of its nodes, from its start to its end.
+    /// Its extremes so far at each of its nodes, from its start to its end.
     pub stations: Vec<Station>,
-    /// Stress that it may bear [Pa]; `None` where none is given.
+    /// Allowable stress [Pa]; `None` where none is given.
     pub allowable_stress: Option<f64>,
     /// Strain at which an end breaks off [-]; `None` where none is given.
     pub rupture_strain: Option<f64>,

@@ -1,4 +1,4 @@
-//! A free rigid body, moved by rapier. The only file that knows rapier.
+//! A free rigid body, moved by rapier. The only file that uses rapier.
 //!
 //! rapier is set for physics, not games: no gravity of its own, one solver iteration (its user force is
 //! frozen over iterations, which feeds energy into stiff external forces), no sleeping, no velocity cap,
@@ -39,7 +39,7 @@ pub struct RigidBody2d {
     checkpoint: Option<(State, Vec<Sprung>, Pose, Vector, f64)>,
 }
 
-/// What a step changes besides rapier's position and velocities.
+/// What a step changes, without rapier's position and velocities.
 #[derive(Clone, Copy, Default, Serialize, Deserialize)]
 struct State {
     angle: f64,
@@ -68,7 +68,10 @@ impl RigidBody2d {
             return Err(wrong("inertia", spec.inertia));
         }
         if let Some(sprung) = spec.sprung.iter().find(|_| spec.free != [false, true, false]) {
-            let reason = format!("`{}` on its spring needs a body that is free in y alone", sprung.name);
+            let reason = format!(
+                "given free = {:?} with `{}` on its spring, expected a body that is free in y alone",
+                spec.free, sprung.name
+            );
             return Err(BodyError::Structure { name: spec.name.clone(), reason });
         }
         let mut world = PhysicsWorld::new();

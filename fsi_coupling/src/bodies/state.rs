@@ -77,7 +77,7 @@ pub struct SurfacePoint {
     pub velocity: [f64; 2],
 }
 
-/// An impulse of the fluid on a body at one point, besides the load.
+/// An impulse of the fluid on a body at one point, in addition to the load.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactImpulse {
     /// Point of the surface [m].

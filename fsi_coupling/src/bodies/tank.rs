@@ -1,4 +1,4 @@
-//! The tank: floor and side walls, sampled at the spacing of the water beside them. They are at rest; the left wall may be a piston.
+//! The tank: floor and side walls, sampled at the spacing of the water next to them. They are at rest; the left wall may be a piston.
 
 use std::f64::consts::FRAC_1_SQRT_2;
 
@@ -24,7 +24,7 @@ pub struct Tank {
     rim: f64,
     half: bool,
     plates: Vec<Plate>,
-    /// Depth of the side walls' rows [m].
+    /// Depth of the side walls' layers [m].
     thickness: f64,
     points: Vec<WallPoint>,
     piston: Option<PistonMotion>,
@@ -82,7 +82,7 @@ impl Tank {
         self.piston.is_some() && point.at[0] < self.x[0] && point.at[1] > self.floor
     }
 
-    /// Particles of the floor behind the piston, as far as it moves back and its rows are deep.
+    /// Particles of the floor behind the piston, as far as it moves back and its layers are deep.
     fn floor_behind(&self, rows: &WallRows) -> Vec<WallPoint> {
         let Some(piston) = self.piston else { return Vec::new() };
         let s = self.layout.spacing_at([self.x[0], self.floor]);
@@ -109,12 +109,12 @@ impl Tank {
         Tank { plates, ..self }
     }
 
-    /// Stations (middle, length) that divide [a, b] at the spacing of the water beside it.
-    fn divide(&self, a: f64, b: f64, beside: impl Fn(f64) -> [f64; 2]) -> Vec<(f64, f64)> {
+    /// Stations (middle, length) that divide [a, b] at the spacing of the water next to it.
+    fn divide(&self, a: f64, b: f64, next_to: impl Fn(f64) -> [f64; 2]) -> Vec<(f64, f64)> {
         let mut parts = vec![(a, 0.0)]; // running coordinate, number of spacings so far
         let mut t = a;
         while t < b {
-            let spacing = self.layout.spacing_at(beside(t));
+            let spacing = self.layout.spacing_at(next_to(t));
             let step = (0.02 * spacing).min(b - t);
             t += step.max(1e-12 * (b - a));
             parts.push((t, parts[parts.len() - 1].1 + step / spacing));
@@ -145,7 +145,7 @@ impl WettedBody for Tank {
             outline: Default::default(),
             midline: None,
         };
-        // shifted rows: the floor's towards the plane of symmetry or to the right, the sides' upwards
+        // shifted layers: the floor's towards the plane of symmetry or to the right, the sides' upwards
         let shift = |layer: usize, s: f64| if rows.is_shifted(layer) { 0.5 * s } else { 0.0 };
         let way = if self.half { -1.0 } else { 1.0 };
         for (x, s) in self.divide(self.x[0], self.x[1], |x| [x, self.floor]) {
@@ -241,9 +241,9 @@ impl Contact for Tank {
     fn signed_distance(&self, at: [f64; 2]) -> f64 {
         let left = if self.half { f64::INFINITY } else { at[0] - self.left_wall() };
         let side = left.min(self.x[1] - at[0]);
-        let beside = side < -self.thickness;
+        let past_side = side < -self.thickness;
         let above = at[1] - self.rim;
-        match (side >= 0.0, beside || above > 0.0) {
+        match (side >= 0.0, past_side || above > 0.0) {
             (true, _) => side.min(at[1] - self.floor),
             (false, true) => f64::INFINITY,
             (false, false) => side.max(above).min(at[1] - self.floor),
@@ -265,7 +265,7 @@ impl Contact for Tank {
         planes.into_iter().reduce(nearer).unwrap_or(planes[0]).1
     }
 
-    /// CO37: the floor, and walls that end at the rim and are as thick as their rows.
+    /// CO37: the floor, and walls that end at the rim and are as thick as their layers.
     fn met_by_solid(&self, at: [f64; 2]) -> (f64, SurfacePoint) {
         let [x, y] = at;
         let fixed = |at, normal| SurfacePoint { at, normal, velocity: [0.0; 2] };

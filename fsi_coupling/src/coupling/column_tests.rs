@@ -74,7 +74,7 @@ impl Pistons {
             Scheme::Weak => Pistons::water(added, walls),
             Scheme::AddedMass => {
                 Pistons::water(added, walls);
-                // what the fluid tells an owner: δF = push (arm·δa)
+                // what the fluid passes to an owner: δF = push (arm·δa)
                 let touch = ParticleLoad {
                     at: [0.0; 2],
                     force: [0.0, walls.fy[0]],
@@ -132,7 +132,7 @@ fn one(ratio: f64, steps: usize, scheme: Scheme) -> (f64, CouplingStatistics) {
 }
 
 /// CO11: explicit coupling diverges where the column is heavier than the piston, and the sooner the shorter the step; the
-/// other schemes hold at any ratio. One unknown: both iterations know it after one difference.
+/// other schemes hold at any ratio. One unknown: both iterations have it after one difference.
 #[test]
 fn a_heavy_column_breaks_one_interface_a_step_whatever_the_step() {
     for ratio in [0.1, 0.5, 0.95, 1.05, 2.0, 10.0, 100.0, 1000.0] {

@@ -47,7 +47,7 @@ pub struct Coupled {
     balance: Balance,
 }
 
-/// The state that [`Coupled::restore`] returns to, besides fluid and bodies.
+/// The state that [`Coupled::restore`] returns to, without fluid and bodies.
 struct Checkpoint {
     walls: Walls,
     interface: Interface,
@@ -130,7 +130,7 @@ impl Coupled {
 
     /// CO26: one step of `dt` [s], or of a half, a quarter, an eighth of it where the pressure equation of the projection
     /// ([`Breakdown::Projection`]) does not converge; returns the step taken [s]. The equation is solved before anything
-    /// moves, and bodies are placed anew for each attempt, so that a shorter step starts from the same state.
+    /// moves, and bodies are placed again for each attempt, so that a shorter step starts from the same state.
     pub fn step_or_shorter(&mut self, dt: f64) -> Result<f64, CouplingError> {
         let mut shorter = dt;
         for _ in 0..MOST_RETRIES {

@@ -22,13 +22,15 @@ pub enum CouplingError {
     )]
     Collision { body: String, wall: String, x: f64, y: f64, time: f64 },
     /// A joint on a body that is not rigid.
-    #[error("joint `{joint}` holds rigid bodies: `{body}` is not rigid")]
+    #[error("joint `{joint}`: given the body `{body}`, which is not rigid, expected rigid bodies")]
     Joint { joint: String, body: String },
     /// The outline of a body.
     #[error(transparent)]
     Outline(#[from] OutlineError),
     /// The bodies leave no room for water.
-    #[error("no fluid: the tank and the body leave no room for a particle at this spacing")]
+    #[error(
+        "no fluid: the tank and the body leave no room for a particle; expected a larger tank, a smaller body or a finer spacing"
+    )]
     NoFluid,
     /// The iteration of a step did not converge.
     #[error(

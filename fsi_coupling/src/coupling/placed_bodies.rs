@@ -54,7 +54,7 @@ pub struct PlacedBodies {
 }
 
 impl PlacedBodies {
-    /// Sample the bodies at `spacing` [m] in the rows that a scheme needs, and place the particles. `ratio` is the smoothing length
+    /// Sample the bodies at `spacing` [m] in the layers that a scheme needs, and place the particles. `ratio` is the smoothing length
     /// over the spacing [-].
     pub fn new(
         bodies: Vec<Box<dyn Body>>,

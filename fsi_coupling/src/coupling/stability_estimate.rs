@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-/// A panel beside water, as weak coupling sees it.
+/// A panel and the water next to it, for weak coupling.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Beside {
     /// Mass of the panel per area ρ_s t [kg/m²].
@@ -32,16 +32,16 @@ pub struct PanelExchange {
     pub spectral_radius: f64,
 }
 
-/// Added mass of a wall's rows over ρ h of a face, on a lattice: 0.405 to 0.385 for h/Δx = 1.5 to 2 with Wendland C2 [-].
-const ROWS: f64 = 0.4;
+/// Added mass of a wall's layers over ρ h of a face, on a lattice: 0.405 to 0.385 for h/Δx = 1.5 to 2 with Wendland C2 [-].
+const LAYERS: f64 = 0.4;
 
 /// CO12: explicit coupling of a panel.
 ///
 /// Without the panel's stiffness, which helps. Against runs of a clamped strip, C = 0.075 to 0.6, h/Δx = 1.5, Wendland C2: one
 /// exchange breaks down at 0.95 to 1.1 of the spectral radius given here (CO12).
-pub fn exchange_ratio(beside: &Beside) -> PanelExchange {
-    let Beside { mass, faces, density, spacing, smoothing_ratio, sound_speed, dt } = *beside;
-    let added_mass = faces * ROWS * density * smoothing_ratio * spacing / mass;
+pub fn exchange_ratio(panel: &Beside) -> PanelExchange {
+    let Beside { mass, faces, density, spacing, smoothing_ratio, sound_speed, dt } = *panel;
+    let added_mass = faces * LAYERS * density * smoothing_ratio * spacing / mass;
     let acoustic = faces * dt * density * sound_speed / (2.0 * mass);
     let courant = sound_speed * dt / spacing;
     PanelExchange { added_mass, acoustic, spectral_radius: added_mass * (1.0 + courant * courant) }
@@ -53,7 +53,7 @@ mod tests {
 
     /// A strip of 50 kg/m², 5 cm between particles, c Δt = 0.9 Δx.
     #[test]
-    fn a_strip_has_its_rows_of_water() {
+    fn a_strip_has_its_layers_of_water() {
         let strip = Beside {
             mass: 50.0,
             faces: 1.0,

@@ -9,7 +9,7 @@ use crate::geometry::polygon::bounding_box;
 /// The water's inertia against the host's masses.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AddedMass {
-    /// Half a row of water over the mass it moves with [-]: from about 1 on no step of the host is short enough for an
+    /// Half a layer of water over the mass it moves with [-]: from about 1 on no step of the host is short enough for an
     /// explicit exchange. The worst node's, or that of all masses together.
     pub row: f64,
     /// The node that it is the worst of; none: all masses together, since some wet node has none of its own.
@@ -56,7 +56,7 @@ impl AddedMass {
         match self.host_dt {
             dt if dt.is_infinite() => None,
             dt if dt <= 0.0 => Some(format!(
-                "half a row of water has {:.3} times the mass {whose}: a host that takes the force as it comes shakes at any \
+                "half a layer of water has {:.3} times the mass {whose}: a host that takes the force as it comes shakes at any \
                  step; save, contribute, correct, restore and repeat until the force agrees, or take a finer spacing",
                 self.row
             )),

@@ -48,7 +48,7 @@ pub(super) struct HostBody {
     checkpoint: Option<(Exchanged, Outline)>,
 }
 
-/// What a surface of a host is, besides its topology.
+/// A surface of a host, without its topology.
 pub(super) struct SurfaceParts {
     pub name: String,
     /// What the topology encloses at t = 0.

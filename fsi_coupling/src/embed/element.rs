@@ -70,7 +70,7 @@ pub struct ElementLimits {
     pub sound_speed: f64,
     /// Steps of the water above which a step of the host is refused [-].
     pub most_substeps: f64,
-    /// Longest step of the water, beside what is stable [s]; infinite where that alone decides.
+    /// Longest step of the water [s], where it is shorter than the stable one; infinite for no limit.
     pub longest_fluid_step: f64,
     /// Shortest step of the host [s].
     pub shortest_step: f64,
@@ -106,10 +106,10 @@ impl FluidElement {
     }
 
     /// The water goes through one step of the host with the nodes, which move smoothly to where `step` says, in as many equal
-    /// steps of its own as it needs; `nodal_forces` becomes the mean force on each node, `[F_x, F_y, M]` [N/m, N/m, N]:
+    /// steps of the water as are needed; `nodal_forces` becomes the mean force on each node, `[F_x, F_y, M]` [N/m, N/m, N]:
     /// times Δt they are the impulse that the water lost, to rounding (THEORY CO31).
     ///
-    /// A refused input changes nothing. A step that fails leaves the element to be looked at or restored.
+    /// A refused input changes nothing. After a step that failed the element can be read and restored.
     pub fn contribute(&mut self, step: HostStep<'_>, nodal_forces: &mut [[f64; 3]]) -> Result<Contribution, HostError> {
         self.contribute_observed(step, nodal_forces, |_| ())
     }
@@ -152,7 +152,7 @@ impl FluidElement {
         Ok(Contribution { fluid_steps, fluid_dt, host_dt, work: done, impulse, penetration: self.system.penetration() })
     }
 
-    /// Equal steps of the water, as few as are stable: the rest of the host's step is divided anew before each.
+    /// Equal steps of the water, as few as are stable: the rest of the host's step is divided again before each.
     fn sub_cycle(
         &mut self,
         dt: f64,
@@ -251,7 +251,7 @@ impl FluidElement {
         self.system.fluid.time()
     }
 
-    /// Where the nodes are now, as the water sees them.
+    /// The nodes at the present time of the water.
     pub fn nodes(&self) -> HostNodes {
         let shared = self.link.shared.open();
         if shared.elapsed >= shared.path.duration() {
@@ -261,7 +261,7 @@ impl FluidElement {
         }
     }
 
-    /// Forces of the water on the nodes at this very moment, to predict the next step with.
+    /// Forces of the water on the nodes now, to predict the next step with.
     pub fn forces_now(&self) -> Vec<[f64; 3]> {
         self.link.shared.open().now.clone()
     }
@@ -273,7 +273,7 @@ impl FluidElement {
         self.system.stable_dt().map_err(refused)
     }
 
-    /// Remember the present state; replaces the one remembered before.
+    /// Store the present state; it replaces the one stored before.
     pub fn save(&mut self) {
         if self.broken.is_none() {
             self.system.checkpoint();

@@ -37,7 +37,7 @@ pub enum HostError {
     #[error("the water cannot be built: {0}")]
     Build(CouplingError),
     /// An array of the host's of the wrong length.
-    #[error("{array} of {given} values, expected {expected}: one a node")]
+    #[error("{array}: given {given} values, expected {expected}, one for each node")]
     Length {
         /// Which array.
         array: &'static str,

@@ -185,7 +185,7 @@ mod tests {
     use super::*;
     use crate::embed::Side;
 
-    /// Three nodes that move and turn; a chain through them; places on and beside it.
+    /// Three nodes that move and turn; a chain through them; places on it and next to it.
     fn moving(rotations: bool) -> (NodeMap, HostNodes, Vec<BeamAttachment>) {
         let rest = vec![[0.1, 0.2], [0.9, 0.5], [1.2, 1.4]];
         let topology = Topology { rotations, ..Topology::of(rest.clone()).open([0, 1, 2], Side::Right, 0.2) };
@@ -203,7 +203,7 @@ mod tests {
         (map, nodes, points.to_vec())
     }
 
-    /// A node that carries a triangle; places on and beside it.
+    /// A node that carries a triangle; places on it and next to it.
     fn carrying() -> (NodeMap, HostNodes, Vec<BeamAttachment>) {
         let rest = vec![[0.3, 0.1]];
         let topology = Topology::of(rest.clone()).turning().carried(0, vec![[0.0, 0.0], [1.0, 0.2], [0.4, 0.9]]);

@@ -121,7 +121,7 @@ impl FluidElementSpec {
     }
 }
 
-/// A closed surface needs room for the rows of boundary particles behind each of its faces.
+/// A closed surface needs room for the layers of boundary particles behind each of its faces.
 fn refuse_thin(topology: &Topology, outline: &Outline, rows: f64) -> Result<(), HostError> {
     for (k, (surface, corners)) in topology.surfaces.iter().zip(outline.loops()).enumerate() {
         let thickness = thinnest_web(corners);
@@ -132,7 +132,7 @@ fn refuse_thin(topology: &Topology, outline: &Outline, rows: f64) -> Result<(), 
                 place: format!("surface {k}"),
                 given: format!("{thickness:.4} m thick where it is thinnest"),
                 expected: format!(
-                    "{:.4} m at least: two times the rows of boundary particles; or a finer spacing",
+                    "{:.4} m at least: twice the depth of the layers of boundary particles; or a finer spacing",
                     2.0 * rows
                 ),
             });

@@ -46,7 +46,7 @@ pub struct HostSurfaceSpec {
 }
 
 impl HostSurface {
-    /// Of a topology and of nodes that stand where it says; `rows` are those of the boundary particles.
+    /// Of a topology and of nodes that stand where it says; `rows` are the layers of boundary particles.
     ///
     /// # Errors
     /// A surface that is none, nodes elsewhere, or nodes without an image in x = 0 where a half is simulated.

@@ -137,7 +137,7 @@ impl Topology {
         Topology { rotations: true, ..self }
     }
 
-    /// With masses [kg/m], one a node.
+    /// With masses [kg/m], one for each node.
     pub fn weighing(self, masses: Vec<f64>) -> Topology {
         Topology { masses, ..self }
     }
@@ -203,7 +203,7 @@ impl Topology {
         self.surfaces.iter().map(of).collect()
     }
 
-    /// Refuse surfaces that are none; `rows` [m] is how deep boundary particles reach.
+    /// Refuse surfaces that are none; `rows` [m] is depth of the boundary particles.
     pub(super) fn check(&self, rows: f64) -> Result<(), HostError> {
         let require = |holds: bool, place: String, given: String, expected: String| match holds {
             true => Ok(()),
@@ -244,7 +244,7 @@ impl Topology {
                 let thick = *thickness > 0.0 && thickness.is_finite();
                 refuse(thick, format!("a thickness of {thickness} m"), "a finite number above 0 m".into())?;
                 let alone = self.surfaces.len() == 1;
-                refuse(alone, "a plate beside other surfaces".into(), "a plate as the only surface".into())?;
+                refuse(alone, "a plate and other surfaces".into(), "a plate as the only surface".into())?;
             }
             if let WetSurface::Carried { corners, .. } = surface {
                 let finite = corners.iter().flatten().all(|c| c.is_finite());

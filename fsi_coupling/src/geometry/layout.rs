@@ -1,4 +1,4 @@
-//! Filling a rectangle of water: even cells in a fine zone at the surface, rows growing outward
+//! Filling a rectangle of water: even cells in a fine zone at the surface, layers growing outward
 //! (THEORY WC18). The cells tile the rectangle exactly, so volume and mass are exact from the start.
 
 use schemars::JsonSchema;
@@ -17,7 +17,7 @@ pub struct Basin {
     pub fine_depth: f64,
     /// Finest spacing [m].
     pub spacing: f64,
-    /// Ratio of successive rows outside the fine zone [-]; 1 is uniform.
+    /// Ratio of successive layers outside the fine zone [-]; 1 is uniform.
     pub growth: f64,
 }
 
@@ -34,7 +34,7 @@ pub enum Lattice {
 }
 
 /// Least distance of a cell's middle from a thin plate [half cells].
-const BESIDE_PLATE: f64 = 0.5;
+const FROM_PLATE: f64 = 0.5;
 
 /// One cell of the layout: a particle to be.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,14 +52,14 @@ impl Cell {
     }
 
     /// Least distance of the middle from a body's surface [m], if the cell is to be water. From a thin plate it is shorter: a plate in the
-    /// middle between two rows of cells displaces none.
+    /// middle between two layers of cells displaces none.
     pub fn clearance(&self, thin_plate: bool) -> f64 {
         let half = 0.5 * self.area().sqrt() * (1.0 - 1e-6);
-        if thin_plate { BESIDE_PLATE * half } else { half }
+        if thin_plate { FROM_PLATE * half } else { half }
     }
 }
 
-/// A layout of the basin: the fine zone, then rings of cells around it, each ring one row thicker.
+/// A layout of the basin: the fine zone, then rings of cells around it, each ring one layer thicker.
 #[derive(Clone, Debug)]
 pub struct Layout {
     basin: Basin,
@@ -71,13 +71,13 @@ pub struct Layout {
 }
 
 impl Layout {
-    /// Plan the rows; no cell is made yet.
+    /// Plan the layers; no cell is made yet.
     pub fn new(basin: Basin) -> Layout {
         let Basin { x, y, fine_x, fine_depth, spacing, growth } = basin;
         let snap = |from: f64, to: f64, edge: f64| {
-            // a whole number of spacings from `from`; the whole way if less than a row would remain
-            let rows = ((to - from).abs() / spacing).round().max(1.0);
-            let reached = from + rows * spacing * (to - from).signum();
+            // a whole number of spacings from `from`; the whole way if less than a layer would remain
+            let layers = ((to - from).abs() / spacing).round().max(1.0);
+            let reached = from + layers * spacing * (to - from).signum();
             if (edge - from).abs() < (reached - from).abs() + 0.75 * spacing { edge } else { reached }
         };
         let uniform = growth <= 1.0 + 1e-9;
@@ -94,9 +94,9 @@ impl Layout {
             basin,
             lattice: Lattice::default(),
             fine,
-            left: rows(fine[0] - x[0], spacing, growth),
-            right: rows(x[1] - fine[1], spacing, growth),
-            down: rows(fine[2] - y[0], spacing, growth),
+            left: graded_layers(fine[0] - x[0], spacing, growth),
+            right: graded_layers(x[1] - fine[1], spacing, growth),
+            down: graded_layers(fine[2] - y[0], spacing, growth),
         }
     }
 
@@ -105,11 +105,11 @@ impl Layout {
         Layout { lattice, ..self }
     }
 
-    /// The same rectangle in rows whose areas are halves of halves (THEORY WC21): those are what particles become that are
-    /// halved later. Only the last row of each side is stretched to where the basin ends.
+    /// The same rectangle in layers whose areas are halves of halves (THEORY WC21): those are what particles become that are
+    /// halved later. Only the last layer of each side is stretched to where the basin ends.
     pub fn with_split_rows(mut self) -> Layout {
-        for rows in [&mut self.left, &mut self.right, &mut self.down] {
-            *rows = halved(rows, self.basin.spacing);
+        for layers in [&mut self.left, &mut self.right, &mut self.down] {
+            *layers = halved(layers, self.basin.spacing);
         }
         self
     }
@@ -125,8 +125,8 @@ impl Layout {
         block([left, right], [bottom, top], [s, s], &mut make);
         let rings = self.left.len().max(self.right.len()).max(self.down.len());
         for k in 0..rings {
-            let row = |rows: &[f64]| rows.get(k).copied().unwrap_or(0.0);
-            let (l, r, d) = (row(&self.left), row(&self.right), row(&self.down));
+            let layer = |layers: &[f64]| layers.get(k).copied().unwrap_or(0.0);
+            let (l, r, d) = (layer(&self.left), layer(&self.right), layer(&self.down));
             block([left - l, left], [bottom, top], [l, l], &mut make);
             block([right, right + r], [bottom, top], [r, r], &mut make);
             block([left, right], [bottom - d, bottom], [d, d], &mut make);
@@ -143,17 +143,17 @@ impl Layout {
         n
     }
 
-    /// Local spacing [m] at a place in or beside the basin: the thickness of the row it lies in.
+    /// Local spacing [m] at a place in the basin or next to it: the thickness of the layer it lies in.
     pub fn spacing_at(&self, at: [f64; 2]) -> f64 {
-        let along = |distance: f64, rows: &[f64]| {
+        let along = |distance: f64, layers: &[f64]| {
             let mut edge = 0.0;
-            for &row in rows {
-                edge += row;
+            for &layer in layers {
+                edge += layer;
                 if distance < edge {
-                    return row;
+                    return layer;
                 }
             }
-            rows.last().copied().unwrap_or(self.basin.spacing)
+            layers.last().copied().unwrap_or(self.basin.spacing)
         };
         let mut spacing = self.basin.spacing;
         let outside = [
@@ -161,9 +161,9 @@ impl Layout {
             (at[0] - self.fine[1], &self.right),
             (self.fine[2] - at[1], &self.down),
         ];
-        for (distance, rows) in outside {
+        for (distance, layers) in outside {
             if distance > 0.0 {
-                spacing = f64::max(spacing, along(distance, rows));
+                spacing = f64::max(spacing, along(distance, layers));
             }
         }
         spacing.min(self.basin.y[1] - self.basin.y[0])
@@ -181,12 +181,12 @@ fn block(x: [f64; 2], y: [f64; 2], wish: [f64; 2], make: &mut impl FnMut(Cell)) 
     if width <= 0.0 || height <= 0.0 {
         return;
     }
-    // where the basin is shallower than the row is thick, cells stay square by being smaller
+    // where the basin is shallower than the layer is thick, cells stay square by being smaller
     let most = width.min(height);
     let columns = (width / wish[0].min(most)).round().max(1.0);
-    let rows = (height / wish[1].min(most)).round().max(1.0);
-    let size = [width / columns, height / rows];
-    for j in 0..rows as usize {
+    let layers = (height / wish[1].min(most)).round().max(1.0);
+    let size = [width / columns, height / layers];
+    for j in 0..layers as usize {
         for i in 0..columns as usize {
             make(Cell { at: [x[0] + (i as f64 + 0.5) * size[0], y[1] - (j as f64 + 0.5) * size[1]], size });
         }
@@ -203,7 +203,7 @@ fn halves(cell: Cell, make: &mut impl FnMut(Cell)) {
 }
 
 /// WC18: thicknesses s g, s g², … that fill `distance` exactly, with a ratio g no larger than asked.
-fn rows(distance: f64, spacing: f64, growth: f64) -> Vec<f64> {
+fn graded_layers(distance: f64, spacing: f64, growth: f64) -> Vec<f64> {
     if distance <= 1e-9 * spacing {
         return Vec::new();
     }
@@ -219,22 +219,22 @@ fn rows(distance: f64, spacing: f64, growth: f64) -> Vec<f64> {
     (1..=n).map(|k| fit * spacing * g.powi(k as i32)).collect()
 }
 
-/// WC21: rows of the same total with thicknesses √2ⁿ s, about as thick as the given ones at the same distance; the last takes
+/// WC21: layers of the same total with thicknesses √2ⁿ s, about as thick as the given ones at the same distance; the last takes
 /// up what remains.
-fn halved(rows: &[f64], spacing: f64) -> Vec<f64> {
-    let distance: f64 = rows.iter().sum();
+fn halved(layers: &[f64], spacing: f64) -> Vec<f64> {
+    let distance: f64 = layers.iter().sum();
     let mut made = Vec::new();
     let (mut reached, mut next) = (0.0, 0);
     let mut given = 0.0;
     while reached < distance * (1.0 - 1e-9) {
-        while next + 1 < rows.len() && given + rows[next] <= reached {
-            given += rows[next];
+        while next + 1 < layers.len() && given + layers[next] <= reached {
+            given += layers[next];
             next += 1;
         }
-        let level = (2.0 * (rows[next] / spacing).log2()).floor();
-        let row = spacing * (0.5 * level).exp2();
+        let level = (2.0 * (layers[next] / spacing).log2()).floor();
+        let layer = spacing * (0.5 * level).exp2();
         let left = distance - reached;
-        made.push(if left < 1.5 * row { left } else { row });
+        made.push(if left < 1.5 * layer { left } else { layer });
         reached += made[made.len() - 1];
     }
     made

@@ -56,7 +56,7 @@ impl Outline {
     pub fn compound(parts: &[Vec<[f64; 2]>]) -> Result<Outline, OutlineError> {
         let loops = parts.iter().map(|p| simple(p)).collect::<Result<Vec<_>, _>>()?;
         if loops.is_empty() {
-            return Err(OutlineError("a body needs at least one polygon".into()));
+            return Err(OutlineError("given no polygon, expected at least one".into()));
         }
         let outline = Outline::joined(loops);
         let inside = |k: usize, v: &[f64; 2]| {
@@ -66,7 +66,9 @@ impl Outline {
         for (i, part) in outline.loops.iter().enumerate() {
             for k in (0..outline.loops.len()).filter(|k| *k != i) {
                 if let Some(v) = part.iter().find(|v| inside(k, v)) {
-                    return Err(OutlineError(format!("parts {i} and {k} overlap at {v:?}")));
+                    return Err(OutlineError(format!(
+                        "given parts {i} and {k} that overlap at {v:?} m, expected parts that do not"
+                    )));
                 }
             }
         }
@@ -132,15 +134,23 @@ impl Outline {
 /// The same corners counter-clockwise, if they make a simple polygon.
 fn simple(corners: &[[f64; 2]]) -> Result<Vec<[f64; 2]>, OutlineError> {
     let n = corners.len();
-    if n < 3 || corners.iter().flatten().any(|c| !c.is_finite()) {
-        return Err(OutlineError(format!("a polygon needs at least 3 finite corners, got {n}")));
+    if n < 3 {
+        return Err(OutlineError(format!("given a polygon of {n} corners, expected at least 3")));
+    }
+    if let Some(k) = corners.iter().position(|[x, y]| !(x.is_finite() && y.is_finite())) {
+        return Err(OutlineError(format!(
+            "given corner {k} of a polygon at {:?} m, expected finite numbers",
+            corners[k]
+        )));
     }
     let area = polygon::signed_area(corners);
     if area == 0.0 {
-        return Err(OutlineError("the polygon's corners enclose no area".into()));
+        return Err(OutlineError("given a polygon whose corners enclose no area, expected an area above 0".into()));
     }
     if let Some((i, j)) = polygon::first_crossing(corners) {
-        return Err(OutlineError(format!("the polygon's sides {i} and {j} cross")));
+        return Err(OutlineError(format!(
+            "given a polygon whose sides {i} and {j} cross, expected sides that do not cross"
+        )));
     }
     let mut corners = corners.to_vec();
     if area < 0.0 {

@@ -1,4 +1,4 @@
-//! The share of a closed outline that each boundary particle of the first row stands for (THEORY PR19).
+//! The share of a closed outline that each boundary particle of the first layer stands for (THEORY PR19).
 
 use sph_core::WallPoint;
 use sph_core::walls::OutlineShare;
@@ -11,7 +11,7 @@ const PIECES: f64 = 4.0;
 /// Distance [spacings] that a normal at right angles to a piece counts as.
 const AWAY: f64 = 2.0;
 
-/// Cut the sides of an outline into pieces and give each to the nearest particle of the first row that faces its way.
+/// Cut the sides of an outline into pieces and give each to the nearest particle of the first layer that faces its way.
 /// The shares add up to ∮n ds, which is zero: a uniform pressure has no force. With `half`, of the part x > 0 only.
 pub(crate) fn share_outline(outline: &Outline, spacing: f64, half: bool, points: &mut [WallPoint]) {
     let first: Vec<usize> = (0..points.len()).filter(|&k| points[k].depth < 0.75 * spacing).collect();

@@ -47,7 +47,7 @@ fn share(cell: &Cell, signed_distance: impl Fn([f64; 2]) -> f64) -> f64 {
     count as f64 / (SAMPLES * SAMPLES) as f64
 }
 
-/// WC20: of the cells that the body's surface cuts, those with most water in them, so many that the area is the water's.
+/// WC20: of the cells that the body's surface cuts, those with most water in them, as many as give the area of the water.
 pub fn choose(cells: Vec<Cell>, signed_distance: impl Fn([f64; 2]) -> f64) -> Vec<Cell> {
     let shares: Vec<f64> = cells.iter().map(|cell| share(cell, &signed_distance)).collect();
     let mut cut: Vec<usize> = (0..cells.len()).filter(|&k| shares[k] > 0.0 && shares[k] < 1.0).collect();

@@ -30,7 +30,7 @@ impl Plate {
         line
     }
 
-    /// True where the rows of both faces do not fit between them: then each side of the plate has its own water (THEORY WA9).
+    /// True where the layers of both faces do not fit between them: then each side of the plate has its own water (THEORY WA9).
     pub fn is_thin(&self, rows: &WallRows) -> bool {
         self.thickness < 2.0 * rows.reach()
     }
@@ -43,8 +43,8 @@ fn beyond(a: [f64; 2], b: [f64; 2], length: f64) -> [f64; 2] {
     [0, 1].map(|k| b[k] + length * way[k] / size)
 }
 
-/// Index of a side of the middle line that is too short at a bend: the rows of its outer face would turn inside out; `reach` [m] is
-/// the distance of the deepest row from the line.
+/// Index of a side of the middle line that is too short at a bend: the layers of its outer face would turn inside out; `reach` [m] is
+/// the distance of the deepest layer from the line.
 pub fn too_tight(middle: &[[f64; 2]], reach: f64) -> Option<usize> {
     [1.0, -1.0].into_iter().find_map(|side| {
         let shifted: Vec<[f64; 2]> = (0..middle.len()).map(|k| mitred(middle, k, side * reach)).collect();

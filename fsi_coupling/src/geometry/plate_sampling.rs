@@ -1,8 +1,8 @@
 //! Boundary particles of thin walls: plates wet on both sides, of any thickness (THEORY WA9, WA10).
 //!
-//! Each face has rows at depths ½Δx, 1½Δx, … below it, however thin the plate is: deep rows may lie in the water of
-//! the other side, which does not see them. So do the ends: their rows lie along the plate, as wide as it is thick. Which
-//! water a particle faces is told by its normal (WA9).
+//! Each face has layers at depths ½Δx, 1½Δx, … below it, however thin the plate is: deep layers may lie in the water of
+//! the other side, which does not see them. So do the ends: their layers lie along the plate, as wide as it is thick. The
+//! normal of a particle gives the water that it faces (WA9).
 
 use sph_core::WallPoint;
 
@@ -12,10 +12,10 @@ use crate::geometry::polygon::normal;
 use crate::geometry::rows::WallRows;
 use crate::geometry::sampling::{self, CORNER_DEG, Station, divide, offset, sample_fan, turn_of};
 
-/// Least share of a row's area that is worth a particle.
+/// Least share of a layer's area that is worth a particle.
 const LEAST_SHARE: f64 = 1e-3;
 
-/// Boundary particles of a body's surface, and the plate that it is where its faces are too close for two sets of rows; with
+/// Boundary particles of a body's surface, and the plate that it is where its faces are too close for two sets of layers; with
 /// `half`, of the part x ≥ 0 only.
 pub fn boundary_particles(outline: &Outline, rows: &WallRows, half: bool) -> (Vec<WallPoint>, Option<Plate>) {
     let Some(plate) = outline.plate().filter(|plate| plate.is_thin(rows)) else {
@@ -25,8 +25,8 @@ pub fn boundary_particles(outline: &Outline, rows: &WallRows, half: bool) -> (Ve
     (if half { right_half(points, rows.spacing) } else { points }, Some(plate.clone()))
 }
 
-/// Boundary particles of a plate: rows below each face and each end, mitred at bends. They belong to plate 0. Bends must be
-/// wider than the rows reach: see [`too_tight`](crate::geometry::plate::too_tight).
+/// Boundary particles of a plate: layers below each face and each end, mitred at bends. They belong to plate 0. Bends must be
+/// wider than the layers reach: see [`too_tight`](crate::geometry::plate::too_tight).
 pub fn sample(plate: &Plate, &WallRows { spacing, layers, .. }: &WallRows) -> Vec<WallPoint> {
     let (middle, thickness) = (plate.line(), plate.thickness);
     let back: Vec<[f64; 2]> = middle.iter().rev().copied().collect();
@@ -37,20 +37,20 @@ pub fn sample(plate: &Plate, &WallRows { spacing, layers, .. }: &WallRows) -> Ve
         for layer in 0..layers {
             let depth = WallRows::depth(layer, spacing);
             for (k, part) in parts.iter().enumerate() {
-                let row = row(line, part, half, depth);
-                divide(&row, [0.0, row[row.len() - 1].0], part.convex, depth, spacing, &mut points);
+                let stations = layer_of(line, part, half, depth);
+                divide(&stations, [0.0, stations[stations.len() - 1].0], part.convex, depth, spacing, &mut points);
                 if let Some(next) = parts.get(k + 1) {
                     sample_fan(&part.face, &next.face, depth, spacing, &mut points);
                 }
             }
-            end_row(line, thickness, depth, spacing, &mut points);
+            end_layer(line, thickness, depth, spacing, &mut points);
         }
     }
     points.into_iter().map(|p| WallPoint { midline: Some(0), ..p }).collect()
 }
 
-/// A row behind the last end of a line, as wide as the plate is thick.
-fn end_row(line: &[[f64; 2]], thickness: f64, depth: f64, spacing: f64, points: &mut Vec<WallPoint>) {
+/// A layer behind the last end of a line, as wide as the plate is thick.
+fn end_layer(line: &[[f64; 2]], thickness: f64, depth: f64, spacing: f64, points: &mut Vec<WallPoint>) {
     let (from, end) = (line[line.len() - 2], line[line.len() - 1]);
     let out = normal(from, end);
     let along = [-out[1], out[0]];
@@ -134,21 +134,21 @@ fn faces(line: &[[f64; 2]], half: f64) -> Vec<PlateFace> {
     ends.windows(2).map(part).collect()
 }
 
-/// The row of a part at a depth [m] below a face at `half` [m]: it ends at the bisector of a convex corner.
-fn row(line: &[[f64; 2]], part: &PlateFace, half: f64, depth: f64) -> Vec<(f64, Station)> {
-    let mut row = offset(&part.face, depth);
-    let last = row.len() - 1;
+/// The layer of a part at a depth [m] below a face at `half` [m]: it ends at the bisector of a convex corner.
+fn layer_of(line: &[[f64; 2]], part: &PlateFace, half: f64, depth: f64) -> Vec<(f64, Station)> {
+    let mut stations = offset(&part.face, depth);
+    let last = stations.len() - 1;
     for (end, place) in [(0, 0), (1, last)] {
         if part.convex[end] {
-            row[place].1.0 = mitred(line, part.corners[end], half - depth);
+            stations[place].1.0 = mitred(line, part.corners[end], half - depth);
         }
     }
     for k in 0..=last {
         let before = k.saturating_sub(1);
-        let (from, to) = (row[before].1.0, row[k].1.0);
-        row[k].0 = row[before].0 + (to[0] - from[0]).hypot(to[1] - from[1]);
+        let (from, to) = (stations[before].1.0, stations[k].1.0);
+        stations[k].0 = stations[before].0 + (to[0] - from[0]).hypot(to[1] - from[1]);
     }
-    row
+    stations
 }
 
 #[cfg(test)]
@@ -160,9 +160,9 @@ mod tests {
         points.iter().filter(|p| wanted(p)).map(|p| p.area).sum()
     }
 
-    /// Whatever the thickness: each face has three full rows, each end three rows as wide as the plate.
+    /// Whatever the thickness: each face has three full layers, each end three layers as wide as the plate.
     #[test]
-    fn every_face_has_its_full_rows() {
+    fn every_face_has_its_full_layers() {
         for t in [0.002, 0.01, 0.013, 0.025, 0.05] {
             let points = sample(&Plate::new(&[[0.0, 0.0], [0.0, 1.0]], t), &WallRows::filled(0.01, 3));
             for sign in [1.0, -1.0] {
@@ -177,10 +177,10 @@ mod tests {
         }
     }
 
-    /// A plate with a right angle: rows are mitred, so both faces' rows have the area of their strip; a convex corner has
+    /// A plate with a right angle: layers are mitred, so both faces' layers have the area of their strip; a convex corner has
     /// two halves of a particle on its bisector, a re-entrant one a fan.
     #[test]
-    fn rows_follow_a_bend() {
+    fn layers_follow_a_bend() {
         let middle = [[0.0, 0.3], [0.0, 0.0], [0.4, 0.0]];
         let (s, points) = (0.02_f64, sample(&Plate::new(&middle, 0.004), &WallRows::filled(0.02, 3)));
         let foot = |p: &WallPoint| [0, 1].map(|c| p.at[c] + p.depth * p.normal[c]);
@@ -212,7 +212,7 @@ mod tests {
         assert!((2.0 * area(&right_half(points, 0.02), |_| true) / whole - 1.0).abs() < 1e-9);
     }
 
-    /// Floor cells beside a plate that stands on it: what is left of them is the floor outside the plate, on each side.
+    /// Floor cells next to a plate that stands on it: what is left of them is the floor outside the plate, on each side.
     #[test]
     fn a_wall_ends_at_the_faces_of_a_plate_that_stands_on_it() {
         let cell = |k: i32| WallPoint {

@@ -1,9 +1,9 @@
-//! Boundary particles from an outline: rows parallel to its faces, inside the body.
+//! Boundary particles from an outline: layers parallel to its faces, inside the body.
 //!
-//! The outline is cut into faces at its corners; each face carries rows at depths ½Δx, 1½Δx, … Every row is
+//! The outline is cut into faces at its corners; each face carries layers at depths ½Δx, 1½Δx, … Every layer is
 //! trimmed where another face is nearer, and its visible part is divided evenly. Where two faces meet at a convex
 //! corner, each puts half a particle on the bisector: without them the tip has a hole of a spacing's radius,
-//! through which water enters. A re-entrant corner, whose rows leave a gap, gets a fan. The half of a symmetric
+//! through which water enters. A re-entrant corner, whose layers leave a gap, gets a fan. The half of a symmetric
 //! body is its right half, with half of each particle on the plane of symmetry.
 
 use sph_core::WallPoint;
@@ -15,10 +15,10 @@ use crate::geometry::rows::WallRows;
 
 /// Neighbouring sides that turn by more than this belong to different faces.
 pub(crate) const CORNER_DEG: f64 = 20.0;
-/// Rows are walked in steps of this share of the spacing when trimming.
+/// Layers are walked in steps of this share of the spacing when trimming.
 const TRIM: f64 = 0.02;
 
-/// Rows of boundary particles inside an outline; with `half`, of the part x ≥ 0 only.
+/// Layers of boundary particles inside an outline; with `half`, of the part x ≥ 0 only.
 pub fn sample(outline: &Outline, rows: &WallRows, half: bool) -> Vec<WallPoint> {
     let WallRows { spacing, layers, .. } = *rows;
     let mut points = Vec::new();
@@ -30,7 +30,7 @@ pub fn sample(outline: &Outline, rows: &WallRows, half: bool) -> Vec<WallPoint> 
                 let before = &faces[(k + faces.len() - 1) % faces.len()];
                 let after = &faces[(k + 1) % faces.len()];
                 let convex = [turn(before, face), turn(face, after)].map(|turn| turn > CORNER_DEG.to_radians());
-                sample_row(outline, face, convex, rows.is_shifted(layer), depth, spacing, &mut points);
+                sample_layer(outline, face, convex, rows.is_shifted(layer), depth, spacing, &mut points);
                 sample_fan(face, after, depth, spacing, &mut points);
             }
         }
@@ -82,32 +82,32 @@ pub(crate) fn turn_of(a: [f64; 2], b: [f64; 2]) -> f64 {
     (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1])
 }
 
-/// A place on a row: position and the face's outward normal there.
+/// A place on a layer: position and the face's outward normal there.
 pub(crate) type Station = ([f64; 2], [f64; 2]);
 
 /// The offset of a face at a depth, as a polyline with normals and running length.
 pub(crate) fn offset(face: &Face, depth: f64) -> Vec<(f64, Station)> {
     let normals: Vec<[f64; 2]> = face.windows(2).map(|p| normal(p[0], p[1])).collect();
     let mut length = 0.0;
-    let mut row: Vec<(f64, Station)> = Vec::with_capacity(face.len());
+    let mut layer: Vec<(f64, Station)> = Vec::with_capacity(face.len());
     for k in 0..face.len() {
         let (a, b) = (normals[k.saturating_sub(1)], normals[k.min(normals.len() - 1)]);
         let (sum, dot) = ([a[0] + b[0], a[1] + b[1]], a[0] * b[0] + a[1] * b[1]);
         let mitre = [sum[0] / (1.0 + dot), sum[1] / (1.0 + dot)];
         let at = [face[k][0] - depth * mitre[0], face[k][1] - depth * mitre[1]];
-        if let Some((_, (last, _))) = row.last() {
+        if let Some((_, (last, _))) = layer.last() {
             length += (at[0] - last[0]).hypot(at[1] - last[1]);
         }
         let size = sum[0].hypot(sum[1]);
-        row.push((length, (at, [sum[0] / size, sum[1] / size])));
+        layer.push((length, (at, [sum[0] / size, sum[1] / size])));
     }
-    row
+    layer
 }
 
-/// The station at running length `s` of a row.
-fn station(row: &[(f64, Station)], s: f64) -> Station {
-    let k = row.partition_point(|(length, _)| *length < s).clamp(1, row.len() - 1);
-    let ((s0, (a, na)), (s1, (b, nb))) = (row[k - 1], row[k]);
+/// The station at running length `s` of a layer.
+fn station(layer: &[(f64, Station)], s: f64) -> Station {
+    let k = layer.partition_point(|(length, _)| *length < s).clamp(1, layer.len() - 1);
+    let ((s0, (a, na)), (s1, (b, nb))) = (layer[k - 1], layer[k]);
     let t = if s1 > s0 { (s - s0) / (s1 - s0) } else { 0.0 };
     let mix = |p: [f64; 2], q: [f64; 2]| [p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1])];
     // on a straight side both ends' normals would blend with the neighbours': take the side's own
@@ -121,8 +121,8 @@ fn station(row: &[(f64, Station)], s: f64) -> Station {
     (mix(a, b), n)
 }
 
-/// A row of one face; `convex` says which of its ends are convex corners, `shifted` that it is shifted by half a part.
-fn sample_row(
+/// A layer of one face; `convex` says which of its ends are convex corners, `shifted` that it is shifted by half a part.
+fn sample_layer(
     outline: &Outline,
     face: &Face,
     convex: [bool; 2],
@@ -131,20 +131,20 @@ fn sample_row(
     spacing: f64,
     points: &mut Vec<WallPoint>,
 ) {
-    let row = offset(face, depth);
-    let intervals = visible(outline, &row, depth, spacing);
+    let layer = offset(face, depth);
+    let intervals = visible(outline, &layer, depth, spacing);
     for (k, interval) in intervals.iter().enumerate() {
         let at_corner = [convex[0] && k == 0, convex[1] && k + 1 == intervals.len()];
-        divide(&row, *interval, at_corner.map(|corner| corner != shifted), depth, spacing, points);
+        divide(&layer, *interval, at_corner.map(|corner| corner != shifted), depth, spacing, points);
     }
 }
 
-/// The intervals of running length in which a row lies at its depth from the outline: no other face is nearer.
-fn visible(outline: &Outline, row: &[(f64, Station)], depth: f64, spacing: f64) -> Vec<[f64; 2]> {
-    let total = row[row.len() - 1].0;
+/// The intervals of running length in which a layer lies at its depth from the outline: no other face is nearer.
+fn visible(outline: &Outline, layer: &[(f64, Station)], depth: f64, spacing: f64) -> Vec<[f64; 2]> {
+    let total = layer[layer.len() - 1].0;
     let steps = (total / (TRIM * spacing)).ceil().max(1.0) as usize;
     let ds = total / steps as f64;
-    let seen = |s: f64| outline.signed_distance(station(row, s).0) < -depth + 1e-9 * spacing;
+    let seen = |s: f64| outline.signed_distance(station(layer, s).0) < -depth + 1e-9 * spacing;
     // where visibility changes between the middles of two steps, by bisection; at the ends, the ends
     let edge = |k: usize| {
         if k == 0 || k == steps {
@@ -177,7 +177,7 @@ fn visible(outline: &Outline, row: &[(f64, Station)], depth: f64, spacing: f64) 
 /// Points that divide [s0, s1] into equal parts. At a corner (`at_corner`) the first stands on the bisector, with half a part; at
 /// other ends it keeps half a part away.
 pub(crate) fn divide(
-    row: &[(f64, Station)],
+    layer: &[(f64, Station)],
     [s0, s1]: [f64; 2],
     at_corner: [bool; 2],
     depth: f64,
@@ -191,7 +191,7 @@ pub(crate) fn divide(
     let part = (s1 - s0) / (count - first - last);
     let spaced = (part * spacing).sqrt();
     for k in 0..count as usize {
-        let (at, normal) = station(row, s0 + (k as f64 + 0.5 - first) * part);
+        let (at, normal) = station(layer, s0 + (k as f64 + 0.5 - first) * part);
         let tip = (at_corner[0] && k == 0) || (at_corner[1] && k + 1 == count as usize);
         let share = if tip { 0.5 } else { 1.0 };
         points.push(WallPoint {
@@ -206,7 +206,7 @@ pub(crate) fn divide(
     }
 }
 
-/// The gap between the rows of two faces that meet at a re-entrant corner.
+/// The gap between the layers of two faces that meet at a re-entrant corner.
 pub(crate) fn sample_fan(face: &Face, next: &Face, depth: f64, spacing: f64, points: &mut Vec<WallPoint>) {
     let corner = next[0];
     let a = normal(face[face.len() - 2], face[face.len() - 1]);
@@ -239,7 +239,7 @@ mod tests {
     use crate::geometry::shape::Shape;
 
     #[test]
-    fn rows_fill_three_spacings_under_every_face_of_a_wedge() {
+    fn layers_fill_three_spacings_under_every_face_of_a_wedge() {
         let wedge = Shape::Wedge { deadrise_deg: 30.0, breadth: 1.0, side_height: 0.3 };
         let [lo, hi] = crate::geometry::polygon::bounding_box(&wedge.outline());
         let wedge = Outline::of(&wedge).unwrap();

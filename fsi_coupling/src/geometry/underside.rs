@@ -148,7 +148,7 @@ mod tests {
 
     const RECTANGLE: [[f64; 2]; 4] = [[0.0, 0.0], [4.0, 0.0], [4.0, 1.0], [0.0, 1.0]];
 
-    /// A bottom of straight sides at `slope` [deg] from a keel of `radius` [m], drawn by so many chords to each side.
+    /// A bottom of straight sides at `slope` [deg] from a keel of `radius` [m], drawn by a number of `chords` to each side.
     fn hull(radius: f64, slope: f64, chords: u32) -> Vec<[f64; 2]> {
         let slope = slope.to_radians();
         let arc = |k: u32| {
@@ -202,9 +202,9 @@ mod tests {
         }
     }
 
-    /// However many chords a rounded keel is drawn by, the bottom beside it is the same.
+    /// The bottom next to a rounded keel does not depend on the number of its chords.
     #[test]
-    fn a_rounded_keel_is_told_from_the_straight_sides_beside_it() {
+    fn a_rounded_keel_is_distinguished_from_the_straight_sides_next_to_it() {
         for slope in [18.0, 25.0] {
             for chords in [2, 3, 4, 8, 16] {
                 let outline = hull(0.08, slope, chords);

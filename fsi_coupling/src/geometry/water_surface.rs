@@ -56,7 +56,7 @@ mod tests {
     }
 
     proptest! {
-        /// Whatever the surface, the water's area is that at rest, and a column's top row ends at the surface.
+        /// Whatever the surface, the water's area is that at rest, and a column's top layer ends at the surface.
         #[test]
         fn stretched_cells_end_at_the_surface(amplitude in -0.1..0.1f64, mode in 0..6u32, slope in -0.1..0.1f64, way in 0..3u8) {
             let (growth, lattice) = [(1.0, Lattice::Square), (1.0, Lattice::Staggered), (1.1, Lattice::Square)][way as usize];

@@ -15,7 +15,7 @@ pub const LARGEST_SLOPE_DEG: f64 = 1.0;
 /// The cushion of air between a flat bottom and calm water (S. L. Chuang, Experiments on flat-bottom slamming, J. Ship Research 10, 1966,
 /// 10–17; T of Chuang's two-dimensional theory).
 ///
-/// Measured with a steel plate 0.51 m broad; the mass of the body does not appear, as the plate was heavy beside its added mass.
+/// Measured with a steel plate 0.51 m broad; the mass of the body does not appear, as the plate was much heavier than its added mass.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AirCushion {
     /// Half of the flat breadth b [m].

@@ -15,7 +15,7 @@ const SURFACE: [f64; 2] = [-48.0, 20.0];
 const SINGULAR: f64 = -0.030_448_457_058_393_27;
 /// Least t on the face, u = 1/(1 + e^−t), and largest on the plane of symmetry, u = 1 + e^t.
 const FROM_KEEL: f64 = 60.0;
-/// Speeds beside the keel fall like e^(−t (1/2 − β/π)): this many times e.
+/// Speeds next to the keel fall like e^(−t (1/2 − β/π)): this many times e.
 const FALLEN: f64 = 25.0;
 /// Largest residual of a solution.
 const SOLVED: f64 = 1e-9;

@@ -27,7 +27,7 @@ pub struct Entry<'a> {
     pub gravity: f64,
     /// Density of the water ρ [kg/m³].
     pub density: f64,
-    /// Does still water bear the part of the section below it?
+    /// Is the buoyancy of the part below still water included?
     pub buoyancy: bool,
     /// Is it followed where its bottom gets steeper than the theory's range?
     pub steep: bool,

@@ -1,4 +1,4 @@
-//! Pressure at the keel of a wedge, read from the face beside it (THEORY GE21).
+//! Pressure at the keel of a wedge, read from the face next to it (THEORY GE21).
 //!
 //! The flow of a corner between a face of deadrise β and the plane of symmetry has p = p₀ − C rᵐ along the face,
 //! m = 2(π/(π/2 + β) − 1): below 1, above 30°, the pressure has a cusp at the keel, and a kernel's mean of it is low.

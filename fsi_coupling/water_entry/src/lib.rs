@@ -5,6 +5,10 @@
 //! [`FlowEntry`] that motion, [`AsymmetricFlow`] and [`RolledFlow`] the same of a wedge with two deadrises, [`ElasticWedge`] a wedge with flexible faces,
 //! [`air_cushion`] the air under a flat bottom, [`ditching`] an aeroplane made of sections, [`waves`] those of small height and their maker.
 //!
+//! Runnable examples, each with its reference, by `cargo run --release -p water_entry --example NAME`: `falling_wedge` by three theories,
+//! `similarity_flow` of a wedge of 30 degrees, `two_deadrises` of a rolled wedge, `elastic_faces`, `air_cushion` under a flat plate,
+//! `landing` of an aeroplane.
+//!
 //! ```
 //! use water_entry::{EntryModel, Loads, Section};
 //!

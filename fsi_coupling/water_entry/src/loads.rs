@@ -1,4 +1,4 @@
-//! What a section bears at a draught, by each theory: F = A(h) V² + M(h) dV/dt, and the pressures.
+//! Loads of a section at a draught, by each theory: F = A(h) V² + M(h) dV/dt, and the pressures.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -46,7 +46,7 @@ impl Loads {
         if !model.is_formula() {
             return Err(OutOfRange {
                 what: format!("\"{}\"", model.name()),
-                range: "loads at a draught need a formula".into(),
+                range: "loads at a draught by \"von_karman\", \"wagner\", \"mlm\" or \"similarity\"".into(),
                 next: EntryModel::Mlm,
             });
         }

@@ -31,7 +31,7 @@ pub enum EntryModel {
 
 /// A case outside the range of a model.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{range}, not {what}: the next model that can is \"{}\"", next.name())]
+#[error("{range}, not {what}: the next model that holds is \"{}\"", next.name())]
 pub struct OutOfRange {
     /// The case.
     pub what: String,

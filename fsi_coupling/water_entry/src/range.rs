@@ -50,7 +50,7 @@ impl EntryModel {
             }),
             _ if section.hollow().is_some() => {
                 let [x, depth] = section.hollow().unwrap_or_default().map(in_tenths_of_millimetres);
-                Some((format!("one with a hollow {depth} m deep at {x} m beside the keel"), "convex bottoms".into()))
+                Some((format!("one with a hollow {depth} m deep at {x} m from the keel"), "convex bottoms".into()))
             }
             EntryModel::Similarity if !is_wedge => {
                 Some(("a curved or bent bottom".into(), format!("wedges of {least} to {most} degrees")))

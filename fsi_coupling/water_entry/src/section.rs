@@ -1,4 +1,4 @@
-//! The bottom of a symmetric body, as entry theories see it, and which bottoms each model holds for.
+//! The bottom of a symmetric body for entry theories, and the bottoms that each model holds for.
 
 use super::model::{EntryModel, OutOfRange};
 
@@ -34,7 +34,7 @@ pub struct Section {
 impl Section {
     /// Corners [m] from the keel to the chine, shape (n, 2); the first is the origin of the section.
     pub fn new(corners: &[[f64; 2]]) -> Result<Section, OutOfRange> {
-        let [x0, y0] = *corners.first().ok_or_else(|| OutOfRange::not_a_section("no corners"))?;
+        let [x0, y0] = *corners.first().ok_or_else(|| OutOfRange::not_a_section("one without corners"))?;
         let corners: Vec<[f64; 2]> = corners.iter().map(|[x, y]| [x - x0, y - y0]).collect();
         if corners.len() < 2 || corners.windows(2).any(|w| w[1][0] <= w[0][0]) {
             return Err(OutOfRange::not_a_section("a bottom whose half breadth does not grow from keel to chine"));
@@ -42,7 +42,7 @@ impl Section {
         let (corners, hollow) = without_dents(straightened(corners));
         let slopes = slopes_of(&corners);
         if slopes[0] < 0.0 {
-            return Err(OutOfRange::not_a_section("a bottom that falls beside its keel"));
+            return Err(OutOfRange::not_a_section("a bottom that falls next to its keel"));
         }
         Ok(Section { areas: areas_of(&corners), corners, slopes, radius: None, hollow })
     }
@@ -186,7 +186,7 @@ impl Section {
         if self.radius.is_none() {
             return self.slopes[k];
         }
-        // at a corner the curve has the mean slope of the chords beside it, at its ends that of the parabola
+        // at a corner the curve has the mean slope of the chords next to it, at its ends that of the parabola
         let at = |k: usize| match k {
             0 => 0.0,
             k if k > last => 2.0 * self.slopes[last] - 0.5 * (self.slopes[last - 1] + self.slopes[last]),
@@ -364,7 +364,7 @@ mod tests {
     }
 
     #[test]
-    fn a_hollow_is_told_with_its_depth_and_place() {
+    fn the_error_of_a_hollow_gives_its_depth_and_place() {
         let section = Section::new(&[[0.0, 0.0], [0.2, 0.1], [0.4, 0.15]]).expect("a section");
         let error = EntryModel::Mlm.covers(&section, 0.0).expect_err("a hollow").to_string();
         assert!(error.contains("0.025 m deep at 0.2 m") && error.contains("\"boundary_element\""), "{error}");

@@ -28,7 +28,7 @@ pub struct SimilarityFlow {
     pub contact_angle_deg: f64,
     /// The jet's tip, [x, y]/(V t) [-].
     pub tip: [f64; 2],
-    /// Where the free surface is vertical, beside the jet's root, x/(V t) [-]; the tip's where it nowhere is.
+    /// Where the free surface is vertical, next to the jet's root, x/(V t) [-]; the tip's where it nowhere is.
     pub turn: f64,
     /// Along the face from keel to tip: x/(V t) and pressure coefficient [-], shape (n, 2).
     pub profile: Vec<[f64; 2]>,

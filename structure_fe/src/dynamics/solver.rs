@@ -84,7 +84,7 @@ impl Dynamics {
         self.model.at_rest()
     }
 
-    /// Prescribes the motion of a fixed degree of freedom at the end of the following steps, until it is prescribed anew.
+    /// Prescribes the motion of a fixed degree of freedom at the end of the following steps, until it is prescribed again.
     /// Supports are at rest by default. Nodes joined by hinges and welds move together.
     pub fn prescribe(&mut self, node: usize, dof: Dof, motion: SupportMotion) -> Result<(), Error> {
         self.model.prescribe(node, dof, motion)
@@ -132,7 +132,7 @@ impl Dynamics {
     }
 
     /// Rebuilds the equations for the ruptures of a state. Steps, and all methods that change a state, do so themselves;
-    /// a caller that restores a state from before a rupture calls it before it asks for momenta, energies or reactions.
+    /// a caller that restores a state from before a rupture calls it before it reads momenta, energies or reactions.
     pub fn apply_ruptures(&mut self, state: &State) -> Result<(), Error> {
         let broken: Vec<usize> = state.ruptures.iter().map(|rupture| rupture.node).collect();
         let Rule::Trapezoidal(rule) = &mut self.rule else { return Ok(()) };

@@ -1,7 +1,7 @@
 //! Inertia and damping of the moving element.
 //!
 //! The mass matrix rotates with the chord, M(q) = R M_0 R^T. Lagrange's equations for the kinetic energy v^T M(q) v/2
-//! give, beside M a, terms in the angular velocity of the chord, which conserve momentum and energy in large rotations
+//! give M a and terms in the angular velocity of the chord, which conserve momentum and energy in large rotations
 //! (THEORY BE12; compare Le, Battini & Hjiaj 2011, who also rotate the shape functions with the local deflection).
 
 use super::mass::mass_times;

@@ -2,7 +2,7 @@
 //!
 //! A layer at eta has the strain epsilon - eta kappa, with the mean strain of the axis (BE11) and the curvature of the Gauss point. Plastic
 //! strains change the elastic forces of BE11 by what they take off the stress of the layers; an element that has not yielded keeps the
-//! elastic forces to the bit. The outer fibres at both ends are layers without area: they tell stress and strain there.
+//! elastic forces to the bit. The outer fibres at both ends are layers without area: they give stress and strain there.
 
 use super::corotational::mean_strain;
 use super::plastic::{PlasticElement, PlasticStrains};

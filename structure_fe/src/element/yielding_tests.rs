@@ -14,7 +14,7 @@ fn element(section: Section, plasticity: Plasticity) -> ElementConstants {
     element
 }
 
-/// Normal force and moment of an arc with these strains of the axis and of the left fibre from bending, reached in so many steps.
+/// Normal force and moment of an arc with these strains of the axis and of the left fibre from bending, reached in `steps` equal steps.
 fn driven(element: &ElementConstants, [axis, bent]: [f64; 2], steps: usize, plastic: &mut PlasticStrains) -> [f64; 2] {
     let layers = element.plastic.as_ref().unwrap();
     let curvature = -2.0 * bent / THICKNESS;

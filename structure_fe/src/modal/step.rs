@@ -4,11 +4,12 @@ use super::mode::{ModalMode, ModalState};
 use super::structure::{ModalStructure, dot, times};
 use crate::error::{Error, above_zero};
 
-/// Iterations end where the velocities change by less than this share, in the norm of the kinetic energy \[-\]; and at most so many.
+/// Iterations end where the velocities change by less than this share, in the norm of the kinetic energy \[-\].
 const CONVERGED: f64 = 1e-13;
+/// Maximum number of iterations.
 const ITERATIONS: usize = 30;
 
-/// What a step is made with besides the load.
+/// Length, gravity and prescribed motion of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Step {
     /// Length \[s\].

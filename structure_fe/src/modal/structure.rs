@@ -62,7 +62,7 @@ impl ModalStructure {
                 isolate(&mut mass, k);
             }
         }
-        let reason = "the generalised masses are smaller than what the nodes' masses carry in the shapes, or a frame that is free has no mass";
+        let reason = "the mass matrix is not positive definite: the generalised masses are smaller than those of the nodes' masses in the shapes, or a frame that is free has no mass";
         let failed = |_| Error::LinearAlgebra { unknowns: self.unknowns(), reason: reason.into() };
         mass.llt(Side::Lower).map(|_| ()).map_err(failed)
     }
@@ -180,7 +180,7 @@ impl ModalStructure {
         -gravity[0] * (mass * state.frame[0] + sx) - gravity[1] * (mass * state.frame[1] + sy)
     }
 
-    /// BE29: M + θ²Δt²K + θΔt C of a step \[s\], θ = ½: forces over the accelerations that such a step sees.
+    /// BE29: M + θ²Δt²K + θΔt C of a step \[s\], θ = ½: forces over the accelerations in such a step.
     pub fn effective_inertia(&self, state: &ModalState, dt: f64) -> Mat<f64> {
         let mut matrix = self.mass_matrix(state);
         for (j, mode) in self.modes.iter().enumerate() {
@@ -196,7 +196,7 @@ impl ModalStructure {
         (0..self.unknowns()).map(|k| load[k] + own[k] - needed[k]).collect()
     }
 
-    /// The accelerations of a state in equilibrium with a load, filtered as a step of `dt` \[s\] sees them. Those of what is held stay.
+    /// The accelerations of a state in equilibrium with a load, filtered for a step of `dt` \[s\]. Those of what is held stay.
     pub fn equilibrate(&self, state: &mut ModalState, load: &[f64], gravity: [f64; 2], dt: f64) -> Result<(), Error> {
         let lacking = self.residual(state, load, gravity);
         let added = self.solve_free(self.effective_inertia(state, dt), lacking)?;

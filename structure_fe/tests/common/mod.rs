@@ -82,7 +82,7 @@ pub fn none(nodes: usize) -> Vec<[f64; 3]> {
     vec![[0.0; 3]; nodes]
 }
 
-/// A body with a panel clamped to it that begins beside its centre of mass.
+/// A body with a panel clamped to it that begins away from its centre of mass.
 pub fn body_with_panel(material: Material, thickness: f64, elements: usize) -> (Beam, Supports, usize) {
     let panel = Beam::straight([0.1, 0.05], [0.6, 0.05], elements, material, Section::strip(thickness)).unwrap();
     let (model, body) = panel.with_rigid_body([-0.05, 0.0], 20.0, 0.3).unwrap();

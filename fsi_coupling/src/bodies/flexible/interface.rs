@@ -1,4 +1,4 @@
-//! An owner of walls that bends, as coupling schemes see it: an acceleration for each degree of freedom (THEORY CO18).
+//! The interface of a flexible body to coupling schemes: an acceleration for each degree of freedom (THEORY CO18).
 
 use sph_core::walls::interface::{InterfaceDynamics, InterfaceLoad, InterfaceResidual, ParticleLoad};
 use sph_core::{WallForces, WallsMut};
@@ -20,7 +20,7 @@ pub struct FlexibleInterface {
     change: Field,
     /// What the structure's forces alone would change: of the predicted motion, without the fluid.
     alone: Field,
-    /// Inertia as a step of the structure sees it, M + θ²Δt²K + θΔt C.
+    /// Inertia in a step of the structure, M + θ²Δt²K + θΔt C.
     inertia: EffectiveInertia,
     /// Forces on the structure from anything but the fluid, less what the predicted accelerations need [N/m, N].
     residual: Field,
@@ -34,7 +34,7 @@ pub struct FlexibleInterface {
 
 impl FlexibleInterface {
     /// Of a structure whose motion at the start and, as predicted, at the end of a step of `dt` [s] is `now` and `then`, under
-    /// loads on its nodes besides the fluid's [N/m, N].
+    /// the loads on its nodes that are not the fluid's [N/m, N].
     pub fn new(
         name: &str,
         dynamics: &mut Dynamics,
@@ -85,7 +85,7 @@ impl FlexibleInterface {
         inertia
     }
 
-    /// CO18, CO24: residual of the accelerations under forces on the particles, besides those of the structure's own forces.
+    /// CO18, CO24: residual of the accelerations under forces on the particles, without those of the structure's own forces.
     fn residual_under(&self, fx: &[f64], fy: &[f64], alone: &[[f64; 3]]) -> InterfaceResidual {
         let loads = self.loads(fx.iter().zip(fy).map(|(x, y)| [*x, *y]));
         let caused = self.inertia.clone().solve(&loads).unwrap_or_else(|_| self.change.clone());

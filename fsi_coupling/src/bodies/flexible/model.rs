@@ -124,7 +124,7 @@ impl Model {
         ]
     }
 
-    /// Tell the frame's node how to move.
+    /// Prescribe the motion of the frame's node.
     pub fn prescribe(&mut self, prescribed: &RigidMotion) -> Result<(), structure_fe::Error> {
         let [displacement, velocity, acceleration] = self.node_of(prescribed);
         for (k, dof) in [Dof::U, Dof::W, Dof::Theta].into_iter().enumerate() {

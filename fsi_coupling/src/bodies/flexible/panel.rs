@@ -77,17 +77,17 @@ pub struct PanelSpec {
     pub plasticity: Option<Plasticity>,
     /// Strain of an outer fibre at which an end breaks off [-], if it may.
     pub rupture_strain: Option<f64>,
-    /// Stress that it may bear, for the reserve factor [Pa].
+    /// Allowable stress, for the reserve factor [Pa].
     pub allowable_stress: Option<f64>,
     /// How its ends are held.
     pub ends: [PanelEnd; 2],
-    /// What connects its ends to the frame besides.
+    /// Springs and dampers between its ends and the frame.
     pub end_springs: [EndSpring; 2],
     /// Places whose motion is reported, as shares of its length [-].
     pub watch: Vec<f64>,
 }
 
-/// A place is at a node where it is so near, over the length of the element beside it [-]: elements of a curved panel meet at an angle, so
+/// A place nearer to a node than this share of the length of the element next to it is at the node [-]: elements of a curved panel meet at an angle, so
 /// that it matters on which of them a place is.
 const AT_NODE: f64 = 0.02;
 

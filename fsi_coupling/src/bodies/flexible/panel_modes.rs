@@ -21,7 +21,7 @@ const RESOLVED: f64 = 1.2;
 pub struct PanelModes {
     /// Its nodes [m, body's frame].
     pub nodes: Vec<[f64; 2]>,
-    /// Masses that move with them [kg/m]: half of each element beside a node.
+    /// Masses that move with them [kg/m]: half of each element next to a node.
     pub masses: Vec<f64>,
     /// Its lowest modes that its elements resolve, scaled to a largest displacement of 1; stress of the outer fibre to the right, which along an outline is wet.
     pub modes: Vec<SurfaceMode>,

@@ -99,7 +99,7 @@ fn strain_across(ends: &[EndEnvelope]) -> f64 {
     steepest.map_or(1.0, |[a, b]| a.min(b) / a.max(b))
 }
 
-/// What a panel has borne at its nodes.
+/// Extremes of a panel at its nodes.
 fn stations(panel: &Panel, dynamics: &Dynamics, envelope: &Envelope) -> Vec<Station> {
     let nodes = &dynamics.beam().nodes()[panel.nodes.clone()];
     let ends = &envelope.ends[2 * panel.elements.start..2 * panel.elements.end];

@@ -12,7 +12,7 @@ pub(crate) struct FlexibleState {
     pub mean: Vec<[f64; 3]>,
     pub now: Vec<[f64; 3]>,
     /// Predicted positions of the boundary particles at the end of the last step [m]. The next step's velocities include the prediction's
-    /// error, so that the fluid sees a path without jumps (CO16).
+    /// error, so that the fluid gets a path without jumps (CO16).
     pub predicted_positions: Vec<[f64; 2]>,
     /// Contact impulses on the nodes, which the next step applies.
     pub impulses: Vec<[f64; 3]>,

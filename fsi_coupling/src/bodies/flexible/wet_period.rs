@@ -13,7 +13,7 @@ const ELEMENTS: usize = 24;
 /// Wave number times length whose added mass is that of a rigid strip, pi rho L/8 on each face (Lamb 1932, art. 71) [-].
 const RIGID: f64 = 8.0 / std::f64::consts::PI;
 
-/// CO33: period of the first mode of a panel along a body's line, in water of a density [kg/m³] on so many of its faces [s].
+/// CO33: period of the first mode of a panel along a body's line, in water of a density [kg/m³] on one or both of its faces [s].
 ///
 /// Its ends are held by a frame at rest. A panel on springs has at most the added mass of a rigid strip. The added mass ρ/k per face is that below a standing wave with the mode's wave number in
 /// deep water (Lamb 1932, art. 228): walls, a floor, and a net volume that the mode displaces add to it, so that the period is a lower

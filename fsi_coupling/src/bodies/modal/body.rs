@@ -93,7 +93,7 @@ impl ModalBody {
         places.iter().zip(&self.model.rest).map(|(now, rest)| [0, 1, 2].map(|k| now[k] - rest[k])).collect()
     }
 
-    /// Accelerations in equilibrium with the fluid's load now, as a step of `dt` [s] sees them.
+    /// Accelerations in equilibrium with the fluid's load now, filtered for a step of `dt` [s].
     fn equilibrate(&mut self, dt: f64) -> Result<(), BodyError> {
         let load = self.on_unknowns(&self.state.now);
         let found = self.model.structure.equilibrate(&mut self.state.motion, &load, self.gravity, dt);

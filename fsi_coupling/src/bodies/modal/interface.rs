@@ -1,4 +1,4 @@
-//! A body with modes, as coupling schemes see it: an acceleration for each unknown (THEORY CO18, CO34).
+//! The interface of a body with modes to coupling schemes: an acceleration for each unknown (THEORY CO18, CO34).
 
 use std::sync::Arc;
 
@@ -18,7 +18,7 @@ pub struct ModalInterface {
     predicted: Vec<f64>,
     /// What the accelerations now supposed are beyond these.
     change: Vec<f64>,
-    /// Inertia as a step sees it (BE29).
+    /// Inertia in a step (BE29).
     inertia: Mat<f64>,
     /// Forces from anything but the fluid, less what the predicted accelerations need; at the end, and in the mean of the step.
     residual: [Vec<f64>; 2],
@@ -89,7 +89,7 @@ impl ModalInterface {
         inertia
     }
 
-    /// CO18, CO24: residual of the accelerations under forces on the particles, besides those of the structure's own forces.
+    /// CO18, CO24: residual of the accelerations under forces on the particles, without those of the structure's own forces.
     fn residual_under(&self, fx: &[f64], fy: &[f64], own: &[f64]) -> InterfaceResidual {
         let loads = self.loads(fx.iter().zip(fy).map(|(x, y)| [*x, *y]));
         let none = || vec![0.0; self.change.len()];

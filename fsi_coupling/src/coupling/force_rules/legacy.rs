@@ -1,4 +1,4 @@
-//! Two force rules of the thesis of 2010: the pressure of the first row, and least squares with viscous traction (THEORY GE8).
+//! Two force rules of the thesis of 2010: the pressure of the first layer, and least squares with viscous traction (THEORY GE8).
 
 use sph_core::Probe;
 
@@ -6,13 +6,13 @@ use crate::coupling::force_rules::nodal_loads::Side;
 use crate::coupling::force_rules::placed_outline::{PlacedOutline, PointForce};
 
 impl PlacedOutline<'_> {
-    /// FEX_2D2: −p n ℓ on the surface above the first row; ℓ reaches half way to the neighbours along the outline. The
+    /// FEX_2D2: −p n ℓ on the surface above the first layer; ℓ reaches half way to the neighbours along the outline. The
     /// pressure is the boundary particle's, carried to the surface by ρ₀(g − a_w)·n, times the place's wetness.
-    pub(super) fn first_row(&self, k: usize, probe: &Probe<'_>) -> Vec<PointForce> {
+    pub(super) fn first_layer(&self, k: usize, probe: &Probe<'_>) -> Vec<PointForce> {
         self.pressed(k, |at, p| probe.wetness(at) * p)
     }
 
-    /// Boundary particles of the first row of body `k`.
+    /// Boundary particles of the first layer of body `k`.
     pub(super) fn first_particles(&self, k: usize) -> impl Iterator<Item = usize> + '_ {
         let (w, ratio) = (&self.system.walls, self.system.fluid.domain().fluid.smoothing_ratio);
         self.system.range(k).filter(move |&j| w.depth[j] < 0.75 * w.h[j] / ratio)

@@ -3,7 +3,7 @@
 //! | rule | what is summed |
 //! |---|---|
 //! | [`Rule::Reaction`] | the pair forces on every boundary particle: the load of the coupling (FEX_2D) |
-//! | [`Rule::FirstRow`] | pressure × normal × length of the boundary particles of the first row (FEX_2D2) |
+//! | [`Rule::FirstRow`] | pressure × normal × length of the boundary particles of the first layer (FEX_2D2) |
 //! | [`Rule::Gauss`] | pressure at Gauss points of the outline's sides, as a gauge reads it (FEX_2D3) |
 //! | [`Rule::GaussViscous`] | the same with a moving-least-squares pressure, and viscous traction (FEX_2D4) |
 //!
@@ -30,7 +30,7 @@ use crate::coupling::force_rules::placed_outline::{PlacedOutline, PointForce};
 pub enum Rule {
     /// Sum of the reactions of the pairs.
     Reaction,
-    /// Pressure of the first row of boundary particles.
+    /// Pressure of the first layer of boundary particles.
     FirstRow,
     /// Gauged pressure at Gauss points.
     Gauss,
@@ -69,10 +69,10 @@ pub fn force_rules(system: &Coupled, k: usize, panel: f64) -> Option<[Load; 4]> 
     let outline_now = PlacedOutline::of(system, body)?;
     let reactions = outline_now.nodal_loads(&outline_now.reactions(k));
     let probe = Probe::new(&system.fluid);
-    let first_row = outline_now.nodal_loads(&outline_now.first_row(k, &probe));
+    let first_layer = outline_now.nodal_loads(&outline_now.first_layer(k, &probe));
     let gauss = outline_now.integrated(panel, |at, side| outline_now.gauged(&probe, at, side));
     let viscous = outline_now.integrated(panel, |at, side| outline_now.fitted(&probe, at, side));
-    Some([reactions, first_row, gauss, viscous].map(|corners| Load {
+    Some([reactions, first_layer, gauss, viscous].map(|corners| Load {
         resultant: resultant(&outline_now.corners, &corners, outline_now.motion.position),
         corners,
     }))

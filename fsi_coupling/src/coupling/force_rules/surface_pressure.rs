@@ -42,7 +42,7 @@ impl Plane {
     }
 }
 
-/// Forces on body `k` [N/m]: the reactions that move it, and the integral of the pressure over the first row (GE8). Around a body that is
+/// Forces on body `k` [N/m]: the reactions that move it, and the integral of the pressure over the first layer (GE8). Around a body that is
 /// all under water the plane that fits the pressures is integrated exactly, −∇p A with the area A: only what is left has the error of the
 /// rows' lengths and normals. `None` for a body without an outline or a motion.
 pub fn reaction_and_pressure(system: &Coupled, k: usize) -> Option<[[f64; 2]; 2]> {
@@ -62,7 +62,7 @@ pub fn reaction_and_pressure(system: &Coupled, k: usize) -> Option<[[f64; 2]; 2]
         let rest = sum(outline_now.pressed(k, |at, p| p - plane.at(at)));
         [0, 1].map(|c| rest[c] - plane.gradient[c] * outline_now.area())
     } else {
-        sum(outline_now.first_row(k, &probe))
+        sum(outline_now.first_layer(k, &probe))
     };
     Some([sum(outline_now.reactions(k)), pressed])
 }

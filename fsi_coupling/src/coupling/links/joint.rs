@@ -23,7 +23,7 @@ pub struct JointSpec {
     pub stiffness: f64,
     /// Damping along it [N s/m² or N s/rad].
     pub damping: f64,
-    /// Largest force that it bears, a mean over one step [N/m].
+    /// Force at which it breaks, a mean over one step [N/m].
     pub breaks_at: Option<f64>,
 }
 
@@ -104,7 +104,7 @@ pub(super) struct Constraint {
     pub direction: Direction,
     /// How far it is from where it is held [m or rad].
     pub error: f64,
-    /// Acceleration along the direction that the motion itself causes beside the solids' accelerations [m/s²].
+    /// Acceleration along the direction that the motion causes in addition to the solids' accelerations [m/s²].
     pub apparent: f64,
 }
 

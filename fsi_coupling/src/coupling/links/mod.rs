@@ -34,7 +34,7 @@ pub struct ContactLaw {
     pub friction: f64,
     /// Coefficient of restitution: normal speed after over that before an impact [-].
     pub restitution: f64,
-    /// Distance at which surfaces touch [m]: room for a film of two rows of particles, the thinnest that holds the water's pressure.
+    /// Distance at which surfaces touch [m]: room for a film of two layers of particles, the thinnest that holds the water's pressure.
     pub gap: f64,
 }
 
@@ -192,7 +192,7 @@ impl Links {
         normal
     }
 
-    /// Rows of the joints that hold, then of the touches, each with friction beside its normal; and what the joints hold.
+    /// Rows of the joints that hold, then of the touches, each with its normal direction and its friction; and what the joints hold.
     fn rows(&self, touches: &[Touch], all: &[Solid]) -> (Vec<Row>, Vec<Constraint>) {
         let held: Vec<Constraint> =
             self.joints.iter().filter(|joint| joint.holds()).flat_map(|joint| joint.constraints(all)).collect();

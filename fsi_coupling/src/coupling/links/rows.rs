@@ -182,7 +182,7 @@ mod tests {
         Solid { motion: RigidMotion { position, ..RigidMotion::default() }, inverse_mass, halves: 1.0 }
     }
 
-    /// A box of 2 kg on its two corners, pushed down at its middle: each corner bears half; pulled up, none.
+    /// A box of 2 kg on its two corners, pushed down at its middle: each corner carries half; pulled up, none.
     #[test]
     fn two_corners_share_a_weight_and_never_pull() {
         let all = [solid([0.0; 2], [0.0; 3]), solid([0.0, 1.0], [0.5, 0.5, 3.0])];

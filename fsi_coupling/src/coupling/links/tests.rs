@@ -249,7 +249,7 @@ fn a_wall_of_the_tank_ends_at_its_rim() {
     assert!((on.position[1] - 0.75).abs() < 1e-3 && on.angle.abs() < 1e-3, "on the rim: {on:?}");
 }
 
-/// A tilted box falls on a floor and comes to rest on its bottom, borne by its weight, within the fall of one step.
+/// A tilted box falls on a floor and comes to rest on its bottom under its weight within the fall of one step.
 #[test]
 fn a_box_that_falls_on_a_floor_lies_there() {
     let spec = RigidSpec { angle: 0.2, ..box_at([0.0, 0.8], [0.0; 2], 2.0, G) };

@@ -126,8 +126,8 @@ fn between_convex([a, b]: [usize; 2], (of_a, of_b): (&Corners, &Corners), gap: f
     let along = sub(face[1], face[0]);
     let length2 = dot(along, along);
     let below = |at: [f64; 2]| -dot(sub(at, face[0]), normal);
-    let beside = |at: [f64; 2]| (0.0..=length2).contains(&dot(sub(at, face[0]), along));
-    let corners = of_owner.points.iter().copied().filter(|at| below(*at) >= -gap && beside(*at));
+    let over_face = |at: [f64; 2]| (0.0..=length2).contains(&dot(sub(at, face[0]), along));
+    let corners = of_owner.points.iter().copied().filter(|at| below(*at) >= -gap && over_face(*at));
     let ends = face.into_iter().filter(|at| is_inside(&of_owner.points, *at, gap));
     let touch = |at| Touch { solids, at, normal, depth: depth + gap };
     let found: Vec<Touch> = corners.chain(ends).map(touch).collect();

@@ -21,7 +21,7 @@ use system::System;
 type Known = ([f64; 2], Result<AsymmetricFlow, NoFlow>);
 
 thread_local! {
-    /// The last one: a scene asks for it several times.
+    /// The last one: a scene needs it several times.
     static LAST: RefCell<Option<Known>> = const { RefCell::new(None) };
 }
 
@@ -70,6 +70,14 @@ pub struct NoFlow {
     pub why: &'static str,
 }
 
+impl NoFlow {
+    /// The wedge, as the case outside a range.
+    pub(crate) fn as_case(&self) -> String {
+        let NoFlow { left_deg, right_deg, why } = self;
+        format!("one with deadrises of {left_deg:.2} and {right_deg:.2} degrees ({why})")
+    }
+}
+
 impl AsymmetricFlow {
     /// For the deadrises of the left and the right face [rad]; a symmetric wedge of deadrise β that is rolled by r counter-clockwise has β − r and
     /// β + r.
@@ -97,7 +105,7 @@ impl AsymmetricFlow {
         let refused = |why| NoFlow { left_deg, right_deg, why };
         let [least, most] = DEADRISES;
         if !(least..=most).contains(&left_deg) || !(least..=most).contains(&right_deg) {
-            return Err(refused("faces of 4 to 80 degrees"));
+            return Err(refused("expected faces of 4 to 80 degrees"));
         }
         let grid = Grid::new(step);
         let trial = solve::solve(&grid, 0.5 * (left + right), 0.5 * (right - left))
@@ -108,7 +116,7 @@ impl AsymmetricFlow {
         let (left, on_left) = side::flow(&trial.sides[1], left, step, scale);
         if left.force_coefficient.min(right.force_coefficient) <= 0.0 {
             return Err(refused(
-                "the suction beside the apex exceeds the pressure on the steeper face, and the flow leaves the apex",
+                "the suction next to the apex exceeds the pressure on the steeper face, and the flow leaves the apex",
             ));
         }
         let [(sin_r, cos_r), (sin_l, cos_l)] = [&right, &left].map(|face| face.deadrise_deg.to_radians().sin_cos());

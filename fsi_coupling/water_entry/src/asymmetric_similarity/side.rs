@@ -1,4 +1,4 @@
-//! What one face bears, and the free surface beside it (THEORY EN33).
+//! The load of one face, and the free surface next to it (THEORY EN33).
 
 use super::sums::{Place, Sums};
 use super::system::Side;

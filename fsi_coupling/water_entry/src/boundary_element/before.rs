@@ -15,7 +15,7 @@ const ROUND: [f64; 2] = [0.02, 0.04];
 pub(super) enum Before {
     /// Of a wedge: that of the similar flow at a draught [m] and a downward speed [m/s].
     Similar(FlowLoad, [f64; 2]),
-    /// Of a round bottom: the modified Logvinovich model (Korobkin 2004) and what still water bears, under a gravity [m/s²].
+    /// Of a round bottom: the modified Logvinovich model (Korobkin 2004) and the buoyancy of still water, under a gravity [m/s²].
     Round(Box<Loads>, f64),
 }
 

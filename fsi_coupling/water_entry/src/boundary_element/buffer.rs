@@ -1,4 +1,4 @@
-//! Arrays that are used again: to ask the system for new ones at each step costs a third of its time.
+//! Arrays that are used again: allocating new ones at each step takes a third of its time.
 
 use std::cell::RefCell;
 use std::ops::{Deref, DerefMut};

@@ -6,7 +6,7 @@ use faer::c64;
 
 /// Growth of the elements per length away from the jet.
 pub(super) const GROWTH: f64 = 0.1;
-/// Elements of the finest size beside the jet's end.
+/// Elements of the finest size next to the jet's end.
 const FINE_ELEMENTS: f64 = 8.0;
 
 /// Deadrises between which the longest step changes [deg].
@@ -15,7 +15,7 @@ const FLAT_AND_STEEP: [f64; 2] = [15.0, 25.0];
 /// Sizes of the elements, and how far nodes move among them.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sizes {
-    /// Elements beside the jet, over the usual ones [-].
+    /// Elements next to the jet, over the usual ones [-].
     pub jet: f64,
     /// What is added to their growth on the upper surface beyond the half breadth from the jet, while the chine is dry.
     pub far: f64,

@@ -11,7 +11,7 @@ use super::state::EntryFlow;
 pub(super) const BEGIN: f64 = 1.0 / 6.0;
 /// The same of a wedge at constant speed without gravity, whose flow is the similar one until its chines are wet.
 const BEGIN_OF_SIMILAR: f64 = 0.6;
-/// And at the latest at this share of the draught at which the faces beside the keel are wet.
+/// And at the latest at this share of the draught at which the faces next to the keel are wet.
 pub(super) const LATEST: f64 = 0.5;
 /// And at the latest at this draught over V²/g: the similar flow, from which it begins, has no gravity.
 pub(super) const LATEST_UNDER_GRAVITY: f64 = 0.02;
@@ -59,7 +59,7 @@ pub struct FlowHistory {
 }
 
 impl FlowEntry<'_> {
-    /// Deepest draught under a section, over its breadth [-]: beyond, the surface beside wet chines breaks up.
+    /// Deepest draught under a section, over its breadth [-]: beyond, the surface next to wet chines breaks up.
     pub const DEEPEST: f64 = 1.0;
 
     /// The section at `times` [s], which increase from 0 on, as far as the flow can be followed, and why not further. Before the flow begins the
@@ -88,7 +88,7 @@ impl FlowEntry<'_> {
         if steps.len() < 2 {
             return Err(OutOfRange {
                 what: format!("one whose flow breaks up at once, at a draught of {begin:.4} m"),
-                range: "boundary elements follow a section on its way down".into(),
+                range: "sections on their way down".into(),
                 next: EntryModel::Wcsph,
             });
         }
@@ -110,7 +110,7 @@ impl FlowEntry<'_> {
             };
             OutOfRange {
                 what: format!("{why} {at}"),
-                range: "boundary elements follow a section on its way down, to a draught of its breadth".into(),
+                range: "sections on their way down, to a draught of their breadth".into(),
                 next: EntryModel::Wcsph,
             }
         });
@@ -212,8 +212,8 @@ impl FlowEntry<'_> {
     fn is_wet_again(&self, flow: &EntryFlow) -> bool {
         let [inner, outer] = [self.section.followed_half_breadth(), self.section.half_breadth()];
         let depth = |[x, y]: [f64; 2]| y + flow.draught() - self.section.height(x);
-        let beside = |x: f64| inner < x && x < outer;
-        inner < outer && flow.surface().into_iter().any(|at| beside(at[0]) && depth(at) > SIDE_DEPTH * outer)
+        let past_bottom = |x: f64| inner < x && x < outer;
+        inner < outer && flow.surface().into_iter().any(|at| past_bottom(at[0]) && depth(at) > SIDE_DEPTH * outer)
     }
 
     fn step_of(&self, [time, draught, speed, rate]: [f64; 4], load: &FlowLoad, [face, wetted]: [f64; 2]) -> Step {

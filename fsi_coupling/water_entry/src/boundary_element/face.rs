@@ -10,7 +10,7 @@ const PLACES: usize = 16;
 const ROUNDED: f64 = 0.05;
 /// Elements on a rounded knuckle.
 const ON_KNUCKLE: f64 = 6.0;
-/// Turn of a rounded knuckle from which it asks for smaller elements [rad].
+/// Turn of a rounded knuckle from which elements on it are smaller [rad].
 const SHARP: f64 = 3.0 * std::f64::consts::PI / 180.0;
 /// A line of constant curvature.
 #[derive(Clone, Copy, Debug)]
@@ -232,7 +232,7 @@ impl Face {
         self.place(along)
     }
 
-    /// Size of the elements at a distance from the keel for which the rounded knuckles ask [m].
+    /// Size of the elements at a distance from the keel, by the rounded knuckles [m].
     pub fn size_at(&self, along: f64) -> f64 {
         let rounded = self.pieces.iter().filter(|piece| (piece.curvature * piece.length).abs() > SHARP);
         let of = |piece: &Piece| {
@@ -242,7 +242,7 @@ impl Face {
         if self.added.is_some() { f64::INFINITY } else { rounded.map(of).fold(f64::INFINITY, f64::min) }
     }
 
-    /// Length of what is straight or of one radius beside the keel [m].
+    /// Length of what is straight or of one radius next to the keel [m].
     pub fn first_length(&self) -> f64 {
         self.pieces[0].length
     }

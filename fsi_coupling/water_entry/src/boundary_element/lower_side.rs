@@ -1,4 +1,4 @@
-//! The lower side of the water beside the jet: the face, and past a wet chine the surface that has left it (THEORY EN22, EN24).
+//! The lower side of the water next to the jet: the face, and past a wet chine the surface that has left it (THEORY EN22, EN24).
 
 use std::f64::consts::PI;
 
@@ -7,7 +7,7 @@ use faer::c64;
 use super::elements::Sizes;
 use super::face::{Face, Place};
 
-/// Element beside the jet, over Wagner's thickness of the jet c tan²β/(2π).
+/// Element next to the jet, over Wagner's thickness of the jet c tan²β/(2π).
 const FINEST: f64 = 0.35;
 /// Largest thickness that counts, over c.
 const THICKEST: f64 = 0.08;
@@ -57,7 +57,7 @@ impl LowerSide<'_> {
         if self.underside.is_some() { 0.0 } else { self.sizes.far }
     }
 
-    /// Size of the elements beside the jet's end [m].
+    /// Size of the elements next to the jet's end [m].
     pub fn finest(&self, end: c64) -> f64 {
         let c = self.nearest(end).foot.re;
         let along = self.face.nearest(end, true).along;

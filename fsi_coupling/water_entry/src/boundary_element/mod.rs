@@ -51,7 +51,7 @@ const FIRST_WIDTH: f64 = 0.8;
 /// Length beyond the chine at which the jet's end leaves it, over the finest element.
 const PASSED: f64 = 2.0;
 
-/// Length of a curved bottom under less than the pressure of the air beside the jet, over the finest element, from which the flow leaves it.
+/// Length of a curved bottom under less than the pressure of the air next to the jet, over the finest element, from which the flow leaves it.
 const DETACHED: f64 = 4.0;
 
 /// Depth of a node in the bottom from which that is wet again, over the length of its element.
@@ -79,28 +79,29 @@ impl EntryFlow {
         let refused =
             |what: String, range: &str| Err(OutOfRange { what, range: range.into(), next: EntryModel::Wcsph });
         if !(draught > 0.0 && draught.is_finite() && speed > 0.0 && speed.is_finite()) {
-            let range = "boundary elements need a draught and a downward speed above zero";
-            return refused(format!("{draught} m and {speed} m/s"), range);
+            let range = "draughts and downward speeds above zero";
+            return refused(format!("a draught of {draught} m and a speed of {speed} m/s"), range);
         }
         let Some(mut flow) = EntryFlow::first(section, draught, speed, KEEL_DEG) else {
-            return refused("one of this deadrise".into(), "boundary elements start from the similarity solution");
+            let deadrise = section.slope(0.0).atan().to_degrees();
+            return refused(format!("a deadrise of {deadrise:.2} degrees"), "deadrises with a similarity solution");
         };
         let half_breadth = section.followed_half_breadth();
         if draught > section.wagner_draught(half_breadth) {
-            let range = "boundary elements begin with dry chines";
-            return refused(format!("{} m of breadth at a draught of {draught} m", 2.0 * half_breadth), range);
+            let range = "sections with dry chines at the start";
+            return refused(format!("one of {} m of breadth at a draught of {draught} m", 2.0 * half_breadth), range);
         }
         if section.radius().is_none() {
             // a wedge's flow begins at any draught
             flow = if section.is_followed_as_wedge() { flow.scaled_to(draught) } else { flow };
         } else if draught < flow.draught {
-            let range = format!("boundary elements follow a round bottom from a draught of {} m on", flow.draught);
-            return refused(format!("{draught} m"), &range);
+            let range = format!("round bottoms from a draught of {} m on", flow.draught);
+            return refused(format!("one at a draught of {draught} m"), &range);
         }
         while flow.draught < draught {
             let ended = |_: FlowEnded| OutOfRange {
-                what: format!("a draught of {draught} m"),
-                range: "boundary elements could not follow the bottom to where it begins".into(),
+                what: format!("one whose flow ends before a draught of {draught} m"),
+                range: "bottoms that boundary elements follow to the draught of the start".into(),
                 next: EntryModel::Wcsph,
             };
             flow.step(|_| 0.0).map_err(ended)?;
@@ -215,8 +216,8 @@ impl EntryFlow {
         let inside = |z: &c64| {
             let on_face = self.face.nearest(*z, false);
             let away = -((z - on_face.z) * on_face.tangent.conj()).im;
-            let beside = self.face.length() < on_face.along && on_face.along < self.face.whole_length(); // not past the chine
-            (away < -INSIDE * size && beside).then_some(on_face)
+            let past_edge = self.face.length() < on_face.along && on_face.along < self.face.whole_length(); // not past the chine
+            (away < -INSIDE * size && past_edge).then_some(on_face)
         };
         let Some((k, on_face)) = underside.z.iter().enumerate().find_map(|(k, z)| Some((k, inside(z)?))) else {
             return self;

@@ -14,7 +14,7 @@ use super::surface::SurfaceFlow;
 /// The largest size of elements on a face, over the wetted length.
 const LARGEST: f64 = 0.06;
 
-/// Places through which the pressure beside a keel goes, over the wetted length of the face beside it.
+/// Places through which the pressure next to a keel goes, over the wetted length of the face there.
 const OF_KEEL_LAW: [f64; 2] = [5e-3, 1e-2];
 
 /// One solution of the flow.
@@ -113,7 +113,7 @@ impl EntryFlow {
         }
     }
 
-    /// GE21: the pressure beside a keel above 30° is p₀ − C sᵐ, s the distance from it; there φ_t has a part of s^{m/2}, which straight elements miss.
+    /// GE21: the pressure next to a keel above 30° is p₀ − C sᵐ, s the distance from it; there φ_t has a part of s^{m/2}, which straight elements miss.
     fn follow_keel_law(&self, along: &[f64], pressure: &mut [[f64; 3]]) {
         let deadrise = self.face.place(0.0).tangent.arg();
         if !self.face.is_keeled() || deadrise <= FRAC_PI_6 {
@@ -167,7 +167,7 @@ impl EntryFlow {
         let wetted = if underside.is_some() { face.length() } else { of_face.along };
         let [at_keel, largest] = [self.sizes.at_keel(face.place(0.0).tangent.arg()), LARGEST].map(|x| x * wetted);
         let from_keel = |s: f64| if face.is_keeled() { at_keel + GROWTH * (wetted - s).max(0.0) } else { largest };
-        // beside a wet chine no smaller ones than on the surface that leaves it: they would need shorter steps
+        // next to a wet chine no smaller ones than on the surface that leaves it: they would need shorter steps
         let least = if underside.is_some() { size } else { 0.0 };
         let of_knuckles = |s: f64| face.size_at(wetted - s).max(least);
         let from_end = graded(wetted, |s| grown(size, s).min(from_keel(s)).min(largest).min(of_knuckles(s)));

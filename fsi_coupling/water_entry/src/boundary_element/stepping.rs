@@ -58,7 +58,7 @@ impl EntryFlow {
         Ok((dt, start.load))
     }
 
-    /// Is enough known of the past for a step without a solution in its middle? Beside a wet chine it is not: such steps would have to be half as
+    /// Is enough known of the past for a step without a solution in its middle? Next to a wet chine it is not: such steps would have to be half as
     /// long.
     pub(super) fn has_past(&self) -> bool {
         self.past.len() + 1 == INSTANTS && self.underside.is_none()
@@ -131,7 +131,7 @@ impl EntryFlow {
         }
     }
 
-    /// With the jet cut and nodes placed anew.
+    /// With the jet cut and nodes redistributed.
     pub(super) fn redistributed(self) -> EntryFlow {
         let lower = self.lower_side();
         let surface = self.surface.redistributed(lower);
@@ -170,7 +170,7 @@ impl EntryFlow {
         self.chine_dt(now).clamp(LEAST_AT_CHINE * longest, longest)
     }
 
-    /// Longest step beside a wet chine [s]: the potential of its node decays to the one with which the water leaves the chine along the face
+    /// Longest step next to a wet chine [s]: the potential of its node decays to the one with which the water leaves the chine along the face
     /// (EN24), at a rate of 2.2 times the velocity over the length of the face's last element; the midpoint rule amplifies what falls by more
     /// than 2 per step.
     fn chine_dt(&self, now: &Solution) -> f64 {

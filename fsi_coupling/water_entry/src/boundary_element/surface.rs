@@ -1,4 +1,4 @@
-//! The free surface: nodes that move with the water, placed anew in each step, and the cut through the jet (THEORY EN22).
+//! The free surface: nodes that move with the water, redistributed in each step, and the cut through the jet (THEORY EN22).
 
 use std::f64::consts::PI;
 
@@ -118,7 +118,7 @@ impl FreeSurface {
         self.sampled(&nodes)
     }
 
-    /// The surface that left the chine with its nodes placed anew, fine at both ends, from the point nearest to the jet's cut to the chine.
+    /// The surface that left the chine with its nodes redistributed, fine at both ends, from the point nearest to the jet's cut to the chine.
     pub fn redistributed_below(&self, cut: c64, size: f64) -> FreeSurface {
         let FreeSurface { z, .. } = self;
         let s = arc_length(z);

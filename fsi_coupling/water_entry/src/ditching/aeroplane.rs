@@ -161,9 +161,9 @@ impl Aeroplane {
         let faces = self.nacelles.iter().map(|n| n.face_drag(self.centre, now, swell, rho).into_iter().collect());
         let frame = |p: &Panel| p.frame_drag(hull.fuselage(), self.centre, now, swell, rho).into_iter().collect();
         let held = self.surfaces.len() + self.nacelles.len();
-        let bears = |k: usize| lost[k] == (k >= held);
+        let is_loaded = |k: usize| lost[k] == (k >= held);
         let forces = surfaces.chain(faces).chain(self.panels.iter().map(frame)).enumerate();
-        forces.map(|(k, forces)| if bears(k) { forces } else { Vec::new() }).collect()
+        forces.map(|(k, forces)| if is_loaded(k) { forces } else { Vec::new() }).collect()
     }
 
     /// Parts whose load is larger than what they hold are lost.

@@ -19,34 +19,34 @@ pub(super) struct Balance {
     pub parts: Vec<Vec<PointForce>>,
 }
 
-/// How a strip bears on the water.
+/// Sign and limit of a strip's load.
 #[derive(Clone, Copy, PartialEq)]
-enum Bearing {
+enum StripLoad {
     /// It presses.
     Presses,
     /// It pulls, by a share of the theory's force.
     Pulls(f64),
-    /// It pulls as much as the water bears [N].
+    /// It pulls with the largest suction [N].
     Tears(f64),
 }
 
-impl Bearing {
+impl StripLoad {
     /// EN27: of a strip whose force by the theory is `force` [N].
-    fn of(part: &ImpactingPart, force: f64, suction: f64, largest: f64) -> Bearing {
+    fn of(part: &ImpactingPart, force: f64, suction: f64, largest: f64) -> StripLoad {
         let (share, most) = (suction * part.pulling, largest * part.still_area);
         match force {
-            f if f >= 0.0 => Bearing::Presses,
-            f if -share * f <= most => Bearing::Pulls(share),
-            _ => Bearing::Tears(most),
+            f if f >= 0.0 => StripLoad::Presses,
+            f if -share * f <= most => StripLoad::Pulls(share),
+            _ => StripLoad::Tears(most),
         }
     }
 
     /// Force at no acceleration of the aeroplane [N], and what it loses per acceleration along the lever [kg].
     fn parts(self, part: &ImpactingPart) -> (f64, f64) {
         match self {
-            Bearing::Presses => (part.pressing, part.mass),
-            Bearing::Pulls(share) => (share * part.pressing, share * part.mass),
-            Bearing::Tears(most) => (-most, 0.0),
+            StripLoad::Presses => (part.pressing, part.mass),
+            StripLoad::Pulls(share) => (share * part.pressing, share * part.mass),
+            StripLoad::Tears(most) => (-most, 0.0),
         }
     }
 }
@@ -72,7 +72,7 @@ impl Forces<'_> {
 impl Landing<'_> {
     /// EN18: (diag(m, m, I, 1 …) + Σ M g gᵀ) a = Σ f₀ g + weight, lift, buoyancy, friction, other parts, stiffness of the modes.
     ///
-    /// How each strip bears on the water is found with the accelerations: f = f₀ − M g·a.
+    /// The load of each strip is found with the accelerations: f = f₀ − M g·a.
     pub(super) fn balance(&self, time: f64, now: &Attitude, lost: &[bool]) -> Balance {
         let Landing { aeroplane: craft, water, .. } = self;
         let bending = craft.bending.as_ref();
@@ -133,30 +133,30 @@ impl Landing<'_> {
     fn accelerations(&self, entering: &[ImpactingPart], given: [f64; FREEDOMS]) -> ([f64; FREEDOMS], Vec<f64>) {
         let Water { suction, largest_suction, .. } = self.water;
         let Aeroplane { mass, inertia, .. } = self.aeroplane;
-        let bearing = |e: &ImpactingPart, a| Bearing::of(e, e.force(a), suction, largest_suction);
+        let strip_load = |e: &ImpactingPart, a| StripLoad::of(e, e.force(a), suction, largest_suction);
         let mut acceleration = [0.0; FREEDOMS];
-        let mut bearings: Vec<Bearing> = entering.iter().map(|e| bearing(e, acceleration)).collect();
+        let mut strip_loads: Vec<StripLoad> = entering.iter().map(|e| strip_load(e, acceleration)).collect();
         for _ in 0..MOST_ROUNDS {
             let diagonal = |k: usize| [mass, mass, inertia].get(k).copied().unwrap_or(1.0);
             let mut matrix: Matrix =
                 std::array::from_fn(|i| std::array::from_fn(|j| if i == j { diagonal(i) } else { 0.0 }));
             let mut right = given;
-            for (e, bearing) in entering.iter().zip(&bearings) {
-                let (still, per_acceleration) = bearing.parts(e);
+            for (e, strip_load) in entering.iter().zip(&strip_loads) {
+                let (still, per_acceleration) = strip_load.parts(e);
                 for i in 0..FREEDOMS {
                     right[i] += still * e.lever[i];
                     (0..FREEDOMS).for_each(|j| matrix[i][j] += per_acceleration * e.lever[i] * e.lever[j]);
                 }
             }
             acceleration = solved(matrix, right);
-            let next: Vec<Bearing> = entering.iter().map(|e| bearing(e, acceleration)).collect();
-            if next == bearings {
+            let next: Vec<StripLoad> = entering.iter().map(|e| strip_load(e, acceleration)).collect();
+            if next == strip_loads {
                 break;
             }
-            bearings = next;
+            strip_loads = next;
         }
-        let forces = entering.iter().zip(&bearings).map(|(e, bearing)| {
-            let (still, per_acceleration) = bearing.parts(e);
+        let forces = entering.iter().zip(&strip_loads).map(|(e, strip_load)| {
+            let (still, per_acceleration) = strip_load.parts(e);
             still - per_acceleration * along(&e.lever, &acceleration)
         });
         (acceleration, forces.collect())

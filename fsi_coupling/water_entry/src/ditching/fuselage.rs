@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::monotone::Monotone;
 use crate::{EntryModel, OutOfRange, Section};
 
-/// Models that bear the sections of a landing.
+/// Models for the sections of a landing.
 pub const OF_LANDINGS: [EntryModel; 3] = [EntryModel::VonKarman, EntryModel::Wagner, EntryModel::Mlm];
 
 /// A section outside the range of a model, with the model of a landing that holds for it, where there is one.

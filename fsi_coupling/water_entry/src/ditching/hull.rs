@@ -1,4 +1,4 @@
-//! What the sections of a fuselage bear.
+//! Loads of the sections of a fuselage.
 
 use super::fuselage::{Form, Fuselage, FuselageError, outside};
 use crate::{EntryModel, Loads, OutOfRange};

@@ -64,7 +64,7 @@ pub struct LandingState {
 pub enum LandingEnd {
     /// The time was up.
     Time,
-    /// It was as slow as asked for.
+    /// Its speed fell below `least_speed`.
     Slow,
     /// It left the water for good: what happened.
     Aloft(String),

@@ -1,4 +1,4 @@
-//! Masses along a fuselage (THEORY EN28): what its cuts bear and how it bends depends on them.
+//! Masses along a fuselage (THEORY EN28): section forces and bending depend on them.
 
 /// Nodes that the masses stand at.
 const NODES: usize = 61;
@@ -18,20 +18,20 @@ impl Masses {
     /// the ends allow, and a point at that centre.
     ///
     /// # Errors
-    /// In words: what such a rest cannot have.
+    /// In words: what was expected.
     pub fn new(ends: [f64; 2], mass: f64, centre: f64, inertia: f64, known: &[[f64; 2]]) -> Result<Masses, String> {
         let [from, to] = ends;
         let step = (to - from) / (NODES - 1) as f64;
         let x: Vec<f64> = (0..NODES).map(|k| from + step * k as f64).collect();
         let mut masses = Masses { mass: vec![0.0; NODES], x };
         if let Some([at, _]) = known.iter().find(|[at, _]| !(from..=to).contains(at)) {
-            return Err(format!("a mass at {at} m is not between {from} and {to} m"));
+            return Err(format!("masses between {from} and {to} m, not one at {at} m"));
         }
         known.iter().for_each(|[at, mass]| masses.put(*at, *mass));
         let [known_mass, known_moment] = [masses.sum(|_| 1.0), masses.sum(|x| x - centre)];
         let rest = mass - known_mass;
         if rest <= 0.0 {
-            return Err(format!("masses of {known_mass} kg leave nothing of {mass} kg"));
+            return Err(format!("masses below that of the whole, {mass} kg, not {known_mass} kg"));
         }
         let middle = centre - known_moment / rest;
         let half = (middle - from).min(to - middle);
@@ -52,7 +52,9 @@ impl Masses {
         let share = ((inertia - masses.sum(about_centre)) / rest - of_point) / (of_line - of_point);
         if !(half > 0.0 && (0.0..=1.0).contains(&share)) {
             let [least, most] = [of_point, of_line].map(|i| ((masses.sum(about_centre) + rest * i) / mass).sqrt());
-            return Err(format!("masses along the fuselage have a radius of gyration of {least:.3} to {most:.3} m"));
+            return Err(format!(
+                "a radius of gyration of {least:.3} to {most:.3} m, as masses along the fuselage have"
+            ));
         }
         for (k, mass) in masses.mass.iter_mut().enumerate() {
             *mass += rest * (share * line.mass[k] + (1.0 - share) * point.mass[k]);
@@ -60,7 +62,7 @@ impl Masses {
         Ok(masses)
     }
 
-    /// A mass at a place, on the two nodes beside it.
+    /// A mass at a place, on the two nodes next to it.
     fn put(&mut self, at: f64, mass: f64) {
         let step = self.x[1] - self.x[0];
         let k = (((at - self.x[0]) / step) as usize).min(NODES - 2);

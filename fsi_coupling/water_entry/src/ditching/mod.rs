@@ -1,7 +1,7 @@
 //! An aeroplane from sections: 2D+t (THEORY EN14–EN19, EN25–EN29, EN36–EN38).
 //!
-//! The fuselage enters planes of water across its way, which move with the swell; what a [`Section`](super::Section) bears in each is a
-//! theory's [`Load`](super::Load). [`Fuselage`] is the hull, [`Hull`] what it bears, [`Landing`] its motion in the plane of symmetry.
+//! The fuselage enters planes of water across its way, which move with the swell; the load of a [`Section`](super::Section) in each is a
+//! theory's [`Load`](super::Load). [`Fuselage`] is the shape, [`Hull`] its loads, [`Landing`] its motion in the plane of symmetry.
 
 mod aeroplane;
 mod attitude;

@@ -1,4 +1,4 @@
-//! Parts of an aeroplane that meet the water beside the fuselage: lifting surfaces and nacelles (THEORY EN25, EN26).
+//! Parts of an aeroplane that meet the water in addition to the fuselage: lifting surfaces and nacelles (THEORY EN25, EN26).
 
 use std::f64::consts::PI;
 
@@ -57,7 +57,7 @@ pub struct Nacelle {
     pub hull: Hull,
 }
 
-/// A part of the fuselage's bottom that gives way: then it bears nothing, and the frame at its rear end stands against the water.
+/// A part of the fuselage's bottom that gives way: then it carries no load, and the frame at its rear end stands against the water.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Panel {
     /// A word that names it.

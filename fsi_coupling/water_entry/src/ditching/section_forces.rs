@@ -1,4 +1,4 @@
-//! What the cuts of a fuselage bear (THEORY EN29).
+//! Section forces of a fuselage (THEORY EN29).
 
 use super::attitude::MODES;
 use super::landing::{Landing, LandingState};
@@ -25,7 +25,7 @@ struct Load {
 }
 
 impl Landing<'_> {
-    /// EN29: in the cuts at `places` [m from the nose], by the balance of the part ahead of each. A cut aft of the tail bears nothing but the
+    /// EN29: in the cuts at `places` [m from the nose], by the balance of the part ahead of each. A cut aft of the tail has only the
     /// error of the balance.
     pub fn section_forces(&self, now: &LandingState, masses: &Masses, places: &[f64]) -> Vec<SectionForce> {
         let loads = self.axis_loads(now, masses);

@@ -6,7 +6,7 @@ use super::attitude::Attitude;
 use super::landing::Landing;
 use super::swell::Swell;
 
-/// Largest difference between the phase at the first contact and the one asked for [rad].
+/// Largest difference between the phase at the first contact and the given one [rad].
 const CLOSE: f64 = PI / 180.0;
 /// Phases tried for the nearest one at which a part of the aeroplane touches first.
 const TRIED: usize = 720;
@@ -35,7 +35,7 @@ impl Landing<'_> {
     pub fn swell_touched_at(&self, phase: f64) -> Result<Swell, f64> {
         let places = self.places_at_start();
         let touched = |[x, _]: [f64; 2]| Landing { swell: self.swell.with_phase_at(x, phase), ..self.clone() };
-        // a place is first where all others are further above the surface: the deepest of the others decides
+        // a place is first where all others are further above the surface: it must be as deep as the deepest of the others
         let depth = |place: &[f64; 2]| {
             let swell = self.swell.with_phase_at(place[0], phase);
             let height = |p: &[f64; 2]| p[1] - swell.water(p[0]).elevation;

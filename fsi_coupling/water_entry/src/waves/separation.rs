@@ -1,9 +1,9 @@
-//! Waves that run to the right and to the left, told apart by gauges (THEORY GE26).
+//! Waves that run to the right and to the left, separated by gauges (THEORY GE26).
 
 /// A complex amplitude, real and imaginary part [m].
 pub type Amplitude = [f64; 2];
 
-/// Least determinant of the equations over their largest value at which gauges tell the waves apart [-]: (Σ sin²)/n² of the
+/// Least determinant of the equations over their largest value at which gauges separate the waves [-]: (Σ sin²)/n² of the
 /// phases between them; 0 where they are half a wave apart.
 const LEAST: f64 = 0.05;
 
@@ -38,7 +38,7 @@ mod tests {
 
     /// Two waves that were put together are found again, by two gauges and by more.
     #[test]
-    fn waves_that_were_added_are_told_apart() {
+    fn waves_that_were_added_are_separated() {
         let (k, right, left) = (2.1, [0.03, -0.01], [0.002, 0.004]);
         let at = |x: f64| {
             let (sin, cos) = (k * x).sin_cos();

@@ -85,7 +85,8 @@ impl RolledEntry {
         if self.draught > 0.0 {
             return Ok(self.draught);
         }
-        let similar = AsymmetricFlow::solve(self.deadrises[0], self.deadrises[1]).map_err(|e| refuse(e.to_string()))?;
+        let similar =
+            AsymmetricFlow::solve(self.deadrises[0], self.deadrises[1]).map_err(|none| refuse(none.as_case()))?;
         let wet = (0..2).map(|i| self.lengths[i] / similar.faces()[i].peak).fold(f64::INFINITY, f64::min);
         let last = (at_contact * left + 0.5 * g * left * left).min(wet);
         let without_gravity = LATEST_UNDER_GRAVITY * at_contact * at_contact / self.gravity.max(f64::MIN_POSITIVE);
@@ -233,7 +234,7 @@ impl RolledLoad {
 fn refuse(what: String) -> OutOfRange {
     OutOfRange {
         what,
-        range: "boundary elements follow a wedge on its way down, to a draught of its breadth".into(),
+        range: "wedges on their way down, to a draught of their breadth".into(),
         next: EntryModel::Wcsph,
     }
 }

@@ -21,7 +21,7 @@ use super::{FAR, FlowEnded};
 use crate::asymmetric_similarity::AsymmetricFlow;
 use crate::model::{BOUNDARY_ELEMENT_DEADRISES, EntryModel, OutOfRange};
 
-/// Size of the elements beside the jet over that of a symmetric flow, on flat and on steep faces: φ_t in the wedge's axes changes faster
+/// Size of the elements next to the jet over that of a symmetric flow, on flat and on steep faces: φ_t in the wedge's axes changes faster
 /// than that at rest, most on steep faces.
 const SIZES: [f64; 2] = [0.8, 0.6];
 /// Deadrises between which it changes [deg].
@@ -60,11 +60,11 @@ impl RolledFlow {
             ));
         }
         if !(draught > 0.0 && draught.is_finite() && speed > 0.0 && speed.is_finite()) {
-            let range = "boundary elements need a draught and a downward speed above zero";
-            return Err(refused(format!("{draught} m and {speed} m/s"), range.into()));
+            let range = "draughts and downward speeds above zero";
+            return Err(refused(format!("a draught of {draught} m and a speed of {speed} m/s"), range.into()));
         }
         let similar = AsymmetricFlow::solve(deadrises[0], deadrises[1])
-            .map_err(|none| refused(none.to_string(), "boundary elements start from the similarity solution".into()))?;
+            .map_err(|none| refused(none.as_case(), "wedges with a similarity solution".into()))?;
         // as far as if it began later: what is far from a small wedge is near to it once its chines are wet
         let wet = (0..2).map(|i| lengths[i] / similar.faces()[i].peak).fold(0.0, f64::max);
         let far = FAR * (BEGIN * wet / draught).max(1.0) / (0.5 * (deadrises[0] + deadrises[1])).tan();
@@ -79,8 +79,8 @@ impl RolledFlow {
         if let Some(side) =
             sides.iter().find(|side| side.face.nearest(side.surface.end(), true).along > side.face.length())
         {
-            let what = format!("{} m of face at a draught of {draught} m", side.face.length());
-            return Err(refused(what, "boundary elements begin with dry chines".into()));
+            let what = format!("one with a face of {} m at a draught of {draught} m", side.face.length());
+            return Err(refused(what, "wedges with dry chines at the start".into()));
         }
         Ok(RolledFlow { sides })
     }
@@ -173,7 +173,7 @@ impl RolledFlow {
     }
 }
 
-/// Size of the elements beside the jet of a face over that of a symmetric flow [-].
+/// Size of the elements next to the jet of a face over that of a symmetric flow [-].
 fn element_size(deadrise: f64) -> f64 {
     let ([flat, steep], [of_flat, of_steep]) = (FLAT_AND_STEEP, SIZES);
     let share = ((deadrise.to_degrees() - flat) / (steep - flat)).clamp(0.0, 1.0);

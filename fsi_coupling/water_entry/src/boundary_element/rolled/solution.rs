@@ -151,7 +151,7 @@ pub(super) fn solve(sides: &[EntryFlow; 2]) -> RolledSolution {
 
     let tangents = [0, 1].map(|i| sides[i].face.place(0.0).tangent);
     let sum: f64 = tangents.iter().map(|tangent| tangent.arg()).sum();
-    let singular = 1.0 - PI / (PI + sum); // the velocity beside the apex falls like r to minus this power
+    let singular = 1.0 - PI / (PI + sum); // the velocity next to the apex falls like r to minus this power
     let pressure = [0, 1].map(|i| {
         let at = |k: usize| {
             Place { flow: &sides[i], nodes: &nodes[i], velocities: &velocities[i] }.pressure(

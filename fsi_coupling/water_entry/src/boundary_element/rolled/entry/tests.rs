@@ -35,7 +35,7 @@ fn equal_faces_fall_as_a_symmetric_wedge() {
 }
 
 #[test]
-fn why_it_ends_is_told() {
+fn the_reason_of_the_end_is_returned() {
     let entry = RolledEntry {
         deadrises: [0.6, 0.7],
         lengths: [0.5; 2],

@@ -88,7 +88,7 @@ pub fn schemes() -> [ElementScheme; 3] {
     [ElementScheme::default(), ElementScheme::Projection(projection), ElementScheme::Projection(explicit)]
 }
 
-/// A box, half under water, whose nodes swing, and bend where they turn; rows of nodes along its bottom.
+/// A box, half under water, whose nodes swing, and bend where they turn; with nodes along its bottom.
 pub fn swinging(rotations: bool, scheme: ElementScheme) -> (FluidElement, impl Fn(f64) -> HostNodes) {
     let mut rest: Vec<[f64; 2]> = (0..=8).map(|k| [-0.4 + 0.1 * f64::from(k), -0.2]).collect();
     rest.extend([[0.4, 0.2], [-0.4, 0.2]]);
