@@ -28,11 +28,12 @@ pub struct Seeds {
 
 impl Seeds {
     pub fn read() -> Seeds {
-        let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenarios/cases");
+        let scenarios = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenarios");
+        let (cases, reference) = (scenarios.join("cases"), scenarios.join("scene/reference"));
         let of = |texts: &[(&str, &str)]| texts.iter().map(|(_, text)| text.to_string()).collect::<Vec<_>>();
         let mut tables: Vec<String> = Vec::new();
-        for folder in ["external", "exact", "peers", "wedge_similarity"] {
-            tables.extend(files(&cases.join("reference").join(folder)));
+        for folder in ["external", "exact", "wedge_similarity"] {
+            tables.extend(files(&reference.join(folder)));
         }
         let keys =
             |schema: &Schema| schema.keywords().iter().map(|key| (key.path.clone(), key.takes.clone())).collect();

@@ -89,7 +89,8 @@ impl Resumable {
         let volume = system.fluid.volume();
         system.restore_bytes(&checkpoint.system).map_err(refused)?;
         let (time, end) = (system.fluid.time(), scene.time.end);
-        let written = OF_THE_END.iter().all(|name| file(name).exists());
+        let [summary, page] = OF_THE_END.map(|name| file(name).exists());
+        let written = summary && (page || options.page.is_none());
         refuse_end(until, time, &scene, written)?;
         let rows = recorder.restore_bytes(&checkpoint.recorder).map_err(refused)?;
         recorder.live = start_live(&scene, options)?;

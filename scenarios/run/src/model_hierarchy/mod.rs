@@ -1,12 +1,13 @@
 //! The model hierarchy: one scene, models from microseconds to minutes (THEORY EN9).
 //!
-//! [`Theory`] solves a scene by an entry theory, `run` writes its files. [`assess`] gives cost, range of validity and measured
+//! [`Theory`] solves a scene by an entry theory, `theory_run` writes its files. [`assess`] gives cost, range of validity and measured
 //! error of every theory; [`choose`] takes the cheapest model whose measured error is within a tolerance.
 //!
 //! # Example
 //! ```
-//! use run::model_hierarchy::{QuantityOfInterest, assess};
-//! //!
+//! use run::model_hierarchy::assess;
+//! use scene::QuantityOfInterest;
+//!
 //! let scene = run::load("wedge_constant", &[])?.scene;
 //! let theories = assess(&scene, QuantityOfInterest::PeakForce);
 //! assert!(theories.iter().any(|a| a.obstacle.is_none() && a.measured.is_some()));
