@@ -1,4 +1,4 @@
-//! A host program that integrates a falling wedge itself: the shortest one, and the reference of the doors in other languages.
+//! A host program that integrates a falling wedge itself: the shortest one, and the reference of the interfaces in other languages.
 //!
 //! ```sh
 //! cargo run --release -p scenarios --example host_drop

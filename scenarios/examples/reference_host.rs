@@ -1,4 +1,4 @@
-//! The reference host: a landing-dynamics program with water under it. The same program stands in each language that has a door.
+//! The reference host: a landing-dynamics program with water under it. The same program exists in each language that has an interface.
 //!
 //! ```sh
 //! cargo run --release -p scenarios --example reference_host

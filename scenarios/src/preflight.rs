@@ -189,7 +189,7 @@ impl ModesBrief {
     }
 }
 
-/// Frequencies of a panel that are told.
+/// Frequencies of a panel that are listed.
 const FREQUENCIES: usize = 3;
 /// Elements up to which they are found: the time grows with the cube.
 const MOST_ELEMENTS: usize = 200;

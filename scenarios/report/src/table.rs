@@ -13,7 +13,7 @@ pub struct Table {
     pub rows: Vec<Vec<String>>,
 }
 
-/// A table of at most so many rows is printed on one page.
+/// A table of at most this number of rows is printed on one page.
 const SHORT: usize = 16;
 
 /// The heading of a column and the text of an item's cell.
@@ -45,7 +45,7 @@ pub fn row(cells: &[&str]) -> Vec<String> {
     cells.iter().map(|c| c.to_string()).collect()
 }
 
-/// A number with so many decimals; a dash where it is unknown.
+/// A number with this number of decimals; a dash where it is unknown.
 pub fn known(value: Option<f64>, digits: usize) -> String {
     value.map_or("–".into(), |v| format!("{v:.digits$}"))
 }

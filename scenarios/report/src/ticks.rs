@@ -1,6 +1,6 @@
 //! Round numbers for axes, colour bars and scale bars.
 
-/// `range` as an axis can show it: finite, increasing, and wide enough to be told apart in f64.
+/// `range` as an axis can show it: finite, increasing, and wide enough to be distinct in f64.
 ///
 /// A reversed range is turned round, a single value gets room on both sides, and a range with a
 /// non-finite end becomes [0, 1].

@@ -17,8 +17,8 @@ const SURFACE: f64 = 0.05;
 /// Largest share of the exchanged work that may be lost between water and body, or within the body [-].
 const WORK: f64 = 0.01;
 
-/// Largest share that is told as a number [-].
-const MOST_TOLD: f64 = 10.0;
+/// Largest share that is written as a number [-].
+const MOST_WRITTEN: f64 = 10.0;
 
 /// Conservation over the run (THEORY CO27, CO28).
 #[derive(Clone, Debug, Default, Serialize)]
@@ -59,8 +59,8 @@ impl Audit {
 
     /// What is out of bounds.
     pub fn doubts(&self) -> Vec<Doubt> {
-        let percent = |share: f64| match share > MOST_TOLD {
-            true => format!("more than {} %", 100.0 * MOST_TOLD),
+        let percent = |share: f64| match share > MOST_WRITTEN {
+            true => format!("more than {} %", 100.0 * MOST_WRITTEN),
             false => format!("{} %", significant(100.0 * share)),
         };
         let found = [

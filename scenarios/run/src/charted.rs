@@ -22,7 +22,7 @@ static LAWS: LazyLock<Vec<ErrorLaw>> = LazyLock::new(|| {
 
 /// Standard deviations above the law that 90 % of lognormally scattered errors stay below [-].
 const NINETY_PERCENT: f64 = 1.2816;
-/// Keys of the method that laws are told apart by; all others are those that the program chooses.
+/// Keys of the method that laws are distinguished by; all others are those that the program chooses.
 const PARAMETERS: [&str; 3] = ["solver", "fluid.kernel", "fluid.smoothing_ratio"];
 /// Runs this much finer than a chart's are still near, and this much coarser: at 13 spacings of draught, beside a chart from 16, a wedge of 40 degrees
 /// had 1.5 times the bar [-].

@@ -1,4 +1,4 @@
-//! What a structure by its modes bore over a run.
+//! Extremes of a modal structure over a run.
 
 use fsi_coupling::ModesState;
 use scene::Modes;

@@ -48,7 +48,7 @@ pub type Page = fn(&Path) -> Result<String, Box<dyn Error + Send + Sync>>;
 /// When a run writes its checkpoint: if it is interrupted, and as asked here.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Checkpoints {
-    /// Every so many seconds of simulated time, and at the end [s].
+    /// At this interval of simulated time, and at the end [s].
     pub every: Option<f64>,
 }
 

@@ -1,4 +1,4 @@
-//! What the panels of a body bore over a run.
+//! Extremes of a body's panels over a run.
 
 use fsi_coupling::{Coupled, PanelState, Station};
 use scene::vocabulary::{Doubt, Results};

@@ -40,7 +40,7 @@ pub(crate) enum Observed {
     Frame,
 }
 
-/// When something is due that is so every so many seconds: after `time` [s].
+/// When something is due at a regular interval: after `time` [s].
 pub(super) fn next(every: f64, time: f64) -> f64 {
     every * ((time / every + 1e-9).floor() + 1.0)
 }

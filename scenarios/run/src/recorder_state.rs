@@ -92,7 +92,7 @@ impl Recorder {
         Ok(stored.rows)
     }
 
-    /// Take the rows of the series; with a `path`, the file is written anew beside it and takes its place.
+    /// Take the rows of the series; with a `path`, a new file is written next to it and replaces it.
     pub fn restore_series(&mut self, rows: Vec<Vec<f64>>, path: Option<&Path>) -> Result<(), ObserveError> {
         let part = path.map(|path| path.with_extension("csv.part"));
         self.series.restore(rows, part.as_deref())?;

@@ -39,7 +39,7 @@ pub fn fastest_speed(entry: Option<&Entry>, body: Option<&Body>, gravity: [f64; 
     flow.max(body.map_or(0.0, Body::fastest_point))
 }
 
-/// Least speed of sound that bears an impact's tank of a depth [m/s], chosen and admitted (THEORY WC17).
+/// Least speed of sound for an impact's tank of a depth [m/s], chosen and admitted (THEORY WC17).
 pub fn hydrostatic_sound(gravity: [f64; 2], depth: f64) -> [f64; 2] {
     STIFFNESS.map(|stiffness| (stiffness * gravity[1].abs() * depth).sqrt())
 }
@@ -57,7 +57,7 @@ impl Scene {
         self.gravity[0].hypot(self.gravity[1]) * draught / entry.speed.powi(2)
     }
 
-    /// Level water from wall to wall: what still rows bear is known.
+    /// Level water from wall to wall: what still layers carry is known.
     pub(crate) fn starts_level(&self) -> bool {
         self.tank.is_full() && self.tank.surface().is_none() && self.gravity[0] == 0.0
     }
@@ -84,7 +84,7 @@ impl Scene {
 /// Speed of sound [m/s]: c₀ = min(max(U/M(ε), 10 u, still), 1480 m/s) (THEORY WC17).
 ///
 /// U is the spray root's speed [m/s] and M(ε) the Mach number at which compressibility costs the admitted share ε of
-/// the force; without an impact only the fastest known speed u [m/s] counts. `still` bears the water's weight. Under a flat bottom
+/// the force; without an impact only the fastest known speed u [m/s] counts. `still` is that for the water's weight. Under a flat bottom
 /// U/M(ε) is replaced by the speed at which water is as soft as the trapped air (THEORY WC27). Of several entries the largest.
 pub fn auto_sound_speed<'a>(
     water: &Water,
@@ -117,12 +117,12 @@ pub fn auto_fine_zone(entry: &Entry, spacing: f64) -> [f64; 2] {
 }
 
 /// Half width and depth of a tank that an impact does not feel [m], shape (2): outside acoustic reach,
-/// 0.65 c₀ t_end, and at least 10 times the fine zone; no deeper than the speed of sound bears under gravity.
+/// 0.65 c₀ t_end, and at least 10 times the fine zone; no deeper than the speed of sound allows under gravity.
 pub fn auto_reach(sound_speed: f64, end: f64, fine_zone: [f64; 2], gravity: [f64; 2]) -> [f64; 2] {
     let least = fine_zone.map(|fine| TANK_OVER_FINE_ZONE * fine);
     let reach = ACOUSTIC_REACH * sound_speed * end;
-    let borne = (sound_speed / hydrostatic_sound(gravity, 1.0)[0]).powi(2); // infinite without gravity
-    [reach.max(least[0]), reach.min(borne).max(least[1])]
+    let carried = (sound_speed / hydrostatic_sound(gravity, 1.0)[0]).powi(2); // infinite without gravity
+    [reach.max(least[0]), reach.min(carried).max(least[1])]
 }
 
 #[cfg(test)]

@@ -63,7 +63,7 @@ impl Bottom {
         beyond(water.blunt(body, beyond(BLUNT * water.half_width(body))))
     }
 
-    /// True for faces of the least deadrise that is told apart from a flat one.
+    /// True for faces of the least deadrise that is distinguished from a flat one.
     pub fn is_flat(self) -> bool {
         matches!(self, Bottom::Wedge { slope } if slope <= LEAST_DEADRISE_DEG.to_radians().tan())
     }

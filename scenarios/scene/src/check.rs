@@ -70,7 +70,7 @@ pub(super) fn check_step(scene: &Scene) -> Result<(), Problem> {
     let cfl = scene.courant_number();
     let expected = format_args!("a number above 0 and below {largest}, where {name} breaks down");
     require(cfl < largest, "fluid.cfl", cfl, expected)?;
-    // at the speed of sound alone: water that moves bears less
+    // at the speed of sound alone: moving water allows less
     let still = largest * fluid.water.fluid.smoothing_ratio * scene.resolution.spacing / scene.sound_speed();
     let step = scene.time.step.unwrap_or(0.0);
     let limit = significant(still);
@@ -86,7 +86,7 @@ fn check_weight(scene: &Scene, exponent: f64) -> Result<(), Problem> {
     let stiffness = exponent / (DENSEST.powf(exponent) - 1.0);
     let least = least.unwrap_or((stiffness * scene.gravity[1].abs() * depth).sqrt());
     let (sound, limit, depth) = (scene.sound_speed(), significant(least), significant(depth));
-    let expected = format_args!("at least {limit} m/s, which bears the weight of {depth} m of water");
+    let expected = format_args!("at least {limit} m/s, which the weight of {depth} m of water needs");
     require(sound >= least, "fluid.sound_speed", significant(sound), expected)
 }
 

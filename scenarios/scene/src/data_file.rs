@@ -45,7 +45,7 @@ pub(super) fn beside(scene_file: &str, key: &str, name: &str, kind: &str) -> Res
     let folder = Path::new(scene_file).parent().unwrap_or(Path::new(""));
     let file = folder.join(name);
     let below = Path::new(name).components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir));
-    // what is not there is told by what reads it
+    // what is not there is reported by what reads it
     let within = below && is_within(&file, folder).unwrap_or(true);
     let expected = format_args!("{kind} below the folder of the scene's file");
     require(within, key, format_args!("{name:?}"), expected)?;

@@ -25,7 +25,7 @@ const AIR_EXPONENT: f64 = 1.4;
 
 /// Courant number C = Δt (c₀ + |v|)/h (THEORY WC12) at which a dam break and a wedge at constant speed break down or
 /// gain energy, with the default kernel and diffusion (THEORY WC16; `tests/stability/courant.rs`) [-]. Other kernels and
-/// less diffusion may bear a little more; nothing is gained by it.
+/// less diffusion may allow a little more; nothing is gained by it.
 pub(super) fn breakdown_cfl(options: &Options) -> (f64, &'static str) {
     let largest = match options.integrator {
         Integrator::Symplectic | Integrator::PredictorCorrector => 1.2,
@@ -62,7 +62,7 @@ pub(super) fn complete(
         acoustic_steps == 1 || options.is_neutral(),
         "fluid.acoustic_steps",
         acoustic_steps,
-        "1 beside options of 2010: with others geometry is found anew in each step",
+        "1 with options of 2010: with others geometry is found in each step",
     )?;
     let steps_density_itself = matches!(options.integrator, Integrator::Verlet | Integrator::Beeman);
     require(
@@ -135,7 +135,7 @@ pub(super) fn check_coupling(options: &Options, iterated: bool) -> Result<(), Pr
     )
 }
 
-/// True for Verlet's leapfrog, whose mean force of a step alternates about that at its end (THEORY LE3): a panel that is told of both by an
+/// True for Verlet's leapfrog, whose mean force of a step alternates about that at its end (THEORY LE3): a panel that sees both by an
 /// implicit exchange breaks within milliseconds.
 pub(super) fn leaps(options: &Options) -> bool {
     options.integrator == Integrator::Verlet

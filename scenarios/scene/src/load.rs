@@ -107,7 +107,7 @@ impl<'a> Loader<'a> {
 fn loaded(source: Source, loader: Loader<'_>) -> Result<Loaded, SceneError> {
     let mut given = source.read()?;
     let written = given.clone();
-    let Prepared { outline, told } = prepare(&mut given, &source.name).map_err(|problem| {
+    let Prepared { outline, notes } = prepare(&mut given, &source.name).map_err(|problem| {
         // a misspelt key may be why another is missing
         let misspelt = schema().check(&written).err().filter(|first| first.sentence.starts_with("unknown key"));
         source.error(misspelt.unwrap_or(problem))
@@ -121,7 +121,7 @@ fn loaded(source: Source, loader: Loader<'_>) -> Result<Loaded, SceneError> {
         before(&source, &scene, loader).and_then(|(before, key)| drop_references(&mut scene, before.as_ref(), &key));
     let warnings = dropped
         .into_iter()
-        .chain(told)
+        .chain(notes)
         .chain(ignored(&given, &scene))
         .chain(warnings_about(&scene, outline.as_ref()))
         .collect();

@@ -61,7 +61,7 @@ pub(crate) fn refuse_folder(path: &str, expected: Expected) -> Result<(), SceneE
         _ if holds("sweep.json") => ("the folder of a sweep", format!("`splashdown sweep {path}` continues it")),
         _ if holds("scene.resolved.toml") => (
             "the folder of a run",
-            format!("`splashdown resume {path}` continues it, `splashdown report {path}` makes its page anew"),
+            format!("`splashdown resume {path}` continues it, `splashdown report {path}` makes its page again"),
         ),
         _ => ("a folder", "name a file in it".to_string()),
     };

@@ -43,11 +43,11 @@ pub(super) fn settle(given: &mut Value, scene_file: &str) -> Result<Vec<String>,
     if !rates.is_empty() {
         body.insert("displacement_rates".into(), json!(rates));
     }
-    let told = (!left_out.is_empty()).then(|| {
+    let notes = (!left_out.is_empty()).then(|| {
         let columns = left_out.join(", ");
         format!("{KEY} {name:?}: the accelerations {columns} are not read: those of the body follow from places and velocities")
     });
-    Ok(told.into_iter().collect())
+    Ok(notes.into_iter().collect())
 }
 
 /// Rows of time [s], displacement x, y [m] and rotation [deg] from the first row.
@@ -220,7 +220,7 @@ mod tests {
     }
 
     #[test]
-    fn a_quantity_given_twice_is_refused_and_accelerations_are_told() {
+    fn a_quantity_given_twice_is_refused_and_accelerations_are_reported() {
         for header in ["t,y,y", "t,y,heave", "t,vy,v", "t,time,y"] {
             let fault = rows(&format!("{header}\n0,0,0\n1,1,1\n")).expect_err(header);
             assert!(fault.line == 1 && fault.given.contains("two columns of one quantity"), "{header}: {fault:?}");

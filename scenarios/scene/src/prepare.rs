@@ -13,7 +13,7 @@ pub(super) struct Prepared {
     /// What was understood of an outline.
     pub outline: Option<OutlineReport>,
     /// What was left out, in sentences.
-    pub told: Vec<String>,
+    pub notes: Vec<String>,
 }
 
 /// Replaces names of files, materials and numbered points by their values.
@@ -21,13 +21,13 @@ pub(super) fn prepare(given: &mut Value, scene_file: &str) -> Result<Prepared, P
     settle_references(given, scene_file)?;
     let structures = structure_file::files(given, scene_file)?;
     library::settle(given);
-    let mut told = motion_file::settle(given, scene_file)?;
+    let mut notes = motion_file::settle(given, scene_file)?;
     modes_file::settle(given, scene_file)?;
     let from_file = outline::settle(given, scene_file)?;
     let written = if from_file.is_some() { None } else { stations::written(given) };
     stations::settle(given, from_file.as_ref().map(|settled| &settled.stations).or(written.as_ref()))?;
     structure_file::settle(given, &structures)?;
-    told.extend(structures.iter().flat_map(|file| file.told().to_vec()));
-    told.extend(from_file.iter().flat_map(|settled| settled.told.clone()));
-    Ok(Prepared { outline: from_file.map(|settled| settled.report), told })
+    notes.extend(structures.iter().flat_map(|file| file.notes().to_vec()));
+    notes.extend(from_file.iter().flat_map(|settled| settled.told.clone()));
+    Ok(Prepared { outline: from_file.map(|settled| settled.report), notes })
 }

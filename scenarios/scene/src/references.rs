@@ -86,7 +86,7 @@ fn is_of_the_flow(key: &str) -> bool {
 }
 
 /// The reference is there, has the columns that the scene names, and at least two points in the times compared; a run that ends
-/// before them is told by its summary.
+/// before them is stated by its summary.
 pub(super) fn check_reference(i: usize, compare: &Compare, end: f64) -> Result<(), Problem> {
     let wrong = |name: &str, given: &str, error: ReferenceError| {
         let expected = format!("a table that can be used: {error}");
@@ -148,8 +148,8 @@ mod tests {
             (loaded.scene.compare.len(), loaded.warnings.iter().any(|w| w.contains("no comparison with")))
         };
         let (all, _) = left("dam_break", &[]);
-        let (moved, told) = left("dam_break", &["gauges[1].at=[1.61, -0.1]"]);
-        assert!(moved < all && moved > 0 && told, "{moved} of {all}");
+        let (moved, notes) = left("dam_break", &["gauges[1].at=[1.61, -0.1]"]);
+        assert!(moved < all && moved > 0 && notes, "{moved} of {all}");
         assert_eq!(left("elastic_gate", &["tank.water_width=0.05"]), (0, true));
         assert_eq!(left("wedge", &["body.mass=100", "compare[0].tolerance=0.5"]), (0, true));
     }

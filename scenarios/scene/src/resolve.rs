@@ -242,7 +242,7 @@ fn least_pressure(draft: &Draft, body: &Body, entry: &Entry) -> Option<f64> {
 const ACOUSTIC_STEPS_OF_A_WEDGE: u32 = 4;
 
 /// The solver's settings, complete. `fastest` is the largest known speed of the flow [m/s]; `still` the speed of
-/// sound that bears the water's weight [m/s]. `gentle`: nothing falls into the water, and no dam breaks; `submerged`: a body
+/// sound that the water's weight needs [m/s]. `gentle`: nothing falls into the water, and no dam breaks; `submerged`: a body
 /// starts under water, and all are rigid and closed.
 fn resolve_fluid(
     draft: &mut Draft,

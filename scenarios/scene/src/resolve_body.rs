@@ -13,7 +13,7 @@ use super::source::word;
 const SIDE_OVER_BREADTH: f64 = 0.25;
 /// Smallest cosine of the angle by which a plate's middle line turns: sharper corners have no sensible mitre.
 const SHARPEST_TURN: f64 = -0.5;
-/// Elements, where the scene does not say: so many, or fewer that none is shorter than two spacings, but some in any case.
+/// Elements, where the scene does not say: this number, or fewer that none is shorter than two spacings, but some in any case.
 const ELEMENTS: [f64; 2] = [8.0, 24.0];
 /// Places of a panel that are tried for another panel there.
 const PROBES: u32 = 64;

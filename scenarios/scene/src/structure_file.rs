@@ -19,7 +19,7 @@ const REPLACED: [&str; 9] =
     ["material", "elements", "thickness", "youngs_modulus", "poissons_ratio", "density", "plane", "nodes", "bars"];
 /// Distance of a node from the body's line over the length of the chain, at most [-].
 const FARTHEST: f64 = 0.1;
-/// A corner of the body's line is the place of an end that is nearer to it than so many times its distance from the line, or that of
+/// A corner of the body's line is the place of an end that is nearer to it than this multiple of its distance from the line, or that of
 /// its outer fibre.
 const AT_CORNER: f64 = 1.5;
 
@@ -28,13 +28,13 @@ pub(super) struct StructureFile {
     panel: usize,
     name: String,
     chain: Chain,
-    told: Vec<String>,
+    notes: Vec<String>,
 }
 
 impl StructureFile {
     /// What was left out of it, in sentences.
-    pub(super) fn told(&self) -> &[String] {
-        &self.told
+    pub(super) fn notes(&self) -> &[String] {
+        &self.notes
     }
 
     /// A problem of one of its lines.
@@ -82,11 +82,11 @@ pub(super) fn files(given: &mut Value, scene_file: &str) -> Result<Vec<Structure
         let file = DataFile::read(scene_file, &key, &name, KIND)?;
         let model = BeamModel::read(&file.text).map_err(|error| file.problem(error.into()))?;
         let chain = Chain::of(&model, &Reading { axes, units, width }).map_err(|error| file.problem(error.into()))?;
-        let told = model.told.iter().map(|what| format!("{key} {name:?}: {what}")).collect();
+        let notes = model.notes.iter().map(|what| format!("{key} {name:?}: {what}")).collect();
         for name in ["structure_file", "structure_plane", "structure_units", "structure_width"] {
             table.remove(name);
         }
-        found.push(StructureFile { panel, name, chain, told });
+        found.push(StructureFile { panel, name, chain, notes });
     }
     Ok(found)
 }

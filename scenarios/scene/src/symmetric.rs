@@ -79,7 +79,7 @@ mod tests {
     const HULL: [[f64; 2]; 5] = [[0.0, 0.0], [0.5, 0.2], [0.5, 0.4], [-0.5, 0.4], [-0.5, 0.2]];
 
     #[test]
-    fn each_kind_of_lopsided_outline_is_told_for_what_it_is() {
+    fn each_kind_of_lopsided_outline_is_reported_for_what_it_is() {
         for (points, part) in [
             (HULL.map(|[x, y]| [y, x]).to_vec(), "x and y may be swapped"),
             (HULL[..3].iter().copied().chain([[0.0, 0.4]]).collect(), "half a section: all points have x >= 0"),
@@ -87,8 +87,8 @@ mod tests {
             (HULL.map(|[x, y]| [x + 0.25, y]).to_vec(), "symmetric about x = 0.25 m"),
             ([&HULL[..4], &[[-0.5, 0.3]]].concat(), "[-0.5, 0.3] has no counterpart at [0.5, 0.3]"),
         ] {
-            let told = lopsided(&points).concat();
-            assert!(told.contains(part), "{part}: {told}");
+            let notes = lopsided(&points).concat();
+            assert!(notes.contains(part), "{part}: {notes}");
         }
     }
 }

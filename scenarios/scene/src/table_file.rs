@@ -21,7 +21,7 @@ pub(super) struct NumberTable {
     pub halves: bool,
 }
 
-/// What a table is told that has decimal commas where they cannot be told from commas between cells.
+/// Why a table is refused that has decimal commas where they cannot be distinguished from commas between cells.
 const DECIMAL_COMMAS: &str = "; decimal commas? write a decimal point, or semicolons between the cells";
 
 /// A line whose cells, separated by its commas, are twice as many whole numbers as it may have numbers: `1,5,2,25`.
@@ -157,7 +157,7 @@ mod tests {
     }
 
     #[test]
-    fn a_wrong_line_is_told_with_its_number() {
+    fn a_wrong_line_is_reported_with_its_number() {
         for text in ["0,0\n1,5,2,25\n", "0,5,0,25\n1,5\n", "1,5 2,25\n3,5 4\n"] {
             let fault = NumberTable::parse(text).expect_err(text);
             assert!(fault.expected.contains("write a decimal point") || text.starts_with("0,5"), "{text}: {fault:?}");

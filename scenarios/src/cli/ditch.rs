@@ -17,7 +17,7 @@ pub(super) struct DitchArgs {
     /// Replace a landing that the folder holds.
     #[arg(long)]
     force: bool,
-    /// Write scenes of particles of sections, as they are when the water bears most, into this folder for `splashdown run`.
+    /// Write scenes of particles of sections, as they are when the load of the water is largest, into this folder for `splashdown run`.
     #[arg(long, value_name = "DIR")]
     export_sections: Option<PathBuf>,
     /// Run them too, each in a folder beside its scene, and say their forces beside the theory's (minutes).

@@ -111,7 +111,7 @@ pub fn run_validation(output: &Output, args: &ValidateArgs) -> Result<u8, Stop> 
 pub struct BandsArgs {
     #[command(flatten)]
     selection: Selection,
-    /// Run so many wedges that are on no chart, and compare the error bars that they have from charts.
+    /// Run this number of wedges that are on no chart, and compare the error bars that they have from charts.
     #[arg(long, value_name = "COUNT", conflicts_with_all = ["cases", "all"], value_parser = value_parser!(u32).range(1..=10_000))]
     uncharted: Option<u32>,
     /// Which ones.

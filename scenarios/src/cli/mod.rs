@@ -75,7 +75,7 @@ enum Command {
     /// Measure the speed of this machine and of the steps on it, as ratios in one run.
     #[command(hide = true)]
     Bench(bench::BenchArgs),
-    /// Make the page of a run anew from its folder, or one page that compares several runs.
+    /// Make the page of a run again from its folder, or one page that compares several runs.
     Report(report::ReportArgs),
     /// Compare scenes with published data.
     #[command(hide = true)]
@@ -156,8 +156,8 @@ fn refused(mut error: clap::Error, arguments: &[OsString]) -> u8 {
     if code != 0 && arguments.iter().any(|argument| argument == "--json") {
         let text = error.render().to_string();
         let text = text.trim_start_matches("error: ").split("\n\nUsage").next().unwrap_or_default().trim();
-        let told = [&[text.to_string()], tips.as_slice()].concat().join("; ");
-        say(serde_json::json!({"error": Stop::Input(told).to_json()}));
+        let said = [&[text.to_string()], tips.as_slice()].concat().join("; ");
+        say(serde_json::json!({"error": Stop::Input(said).to_json()}));
     }
     let _ = error.print();
     tips.iter().for_each(|tip| complain(format_args!("  tip: {tip}")));

@@ -9,7 +9,7 @@ pub use report::run_page::{self, FigureError, FolderError};
 
 #[derive(Args)]
 pub(super) struct ReportArgs {
-    /// Folders of runs: of one, its page is made anew; of several, a page that compares them with the first.
+    /// Folders of runs: of one, its page is made again; of several, a page that compares them with the first.
     #[arg(required = true, value_name = "DIR")]
     folders: Vec<PathBuf>,
     /// File of the page (default: DIR/report.html of one run, comparison.html of several).

@@ -24,7 +24,7 @@ pub(super) struct ResumeArgs {
     /// Go on even to an end more than 100 times as late as the one before, which is refused otherwise.
     #[arg(long, requires = "until")]
     force: bool,
-    /// Write checkpoint.bin every so many seconds of simulated time, and at the end (default: as before).
+    /// Write checkpoint.bin at this interval of simulated time, and at the end (default: as before).
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     checkpoint_every: Option<f64>,
     #[command(flatten)]

@@ -28,7 +28,7 @@ pub(super) struct RunArgs {
     log_budget: Option<f64>,
     #[command(flatten)]
     live: LiveArgs,
-    /// Write checkpoint.bin every so many seconds of simulated time, and at the end: `splashdown resume` continues from there.
+    /// Write checkpoint.bin at this interval of simulated time, and at the end: `splashdown resume` continues from there.
     #[arg(long, value_name = "SECONDS", conflicts_with = "converge", value_parser = seconds)]
     checkpoint_every: Option<f64>,
     /// Run at 4 and 2 times the spacing first, and extrapolate the main numbers, with error bars.

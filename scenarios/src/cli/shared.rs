@@ -50,7 +50,7 @@ impl Output {
 
 /// Print a line on stdout; a reader that closed the pipe does not stop the command.
 ///
-/// One that cannot take it, as a full disk, is told at the end ([`unsaid`]).
+/// One that cannot take it, as a full disk, is reported at the end ([`unsaid`]).
 pub(super) fn say(text: impl std::fmt::Display) {
     SAID.store(true, Ordering::Relaxed);
     if let Err(error) = writeln!(std::io::stdout(), "{text}")
@@ -119,8 +119,8 @@ fn address(text: &str) -> Result<SocketAddr, String> {
 
 /// A simulated time [s], with or without a unit.
 pub(super) fn seconds(text: &str) -> Result<f64, String> {
-    let told = |why: String| format!("expected a time in seconds, or one with a unit such as 30ms: {why}");
-    text.trim().parse().or_else(|_| convert(text, "s").map_err(told))
+    let said = |why: String| format!("expected a time in seconds, or one with a unit such as 30ms: {why}");
+    text.trim().parse().or_else(|_| convert(text, "s").map_err(said))
 }
 
 /// Load a scene and refuse one that does not fit in memory.

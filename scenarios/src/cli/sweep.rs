@@ -227,7 +227,7 @@ struct Lines<'a> {
 struct Counted {
     done: usize,
     failed: usize,
-    told: Instant,
+    said: Instant,
 }
 
 impl<'a> Lines<'a> {
@@ -239,7 +239,7 @@ impl<'a> Lines<'a> {
         let style = ProgressStyle::with_template("{bar:32} {pos} of {len}  {elapsed} elapsed, {eta} to go  {msg}");
         bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
         let start = Instant::now();
-        Lines { output, bar, start, all, counted: Mutex::new(Counted { done: 0, failed: 0, told: start }) }
+        Lines { output, bar, start, all, counted: Mutex::new(Counted { done: 0, failed: 0, said: start }) }
     }
 
     /// A point has ended; `None` if it was stopped.
@@ -254,8 +254,8 @@ impl<'a> Lines<'a> {
             self.bar.set_message(format!("{failed} failed"));
             self.bar.suspend(|| self.output.progress(format_args!("points/{id}: {}: {why}", outcome.status)));
         }
-        if self.bar.is_hidden() && (counted.told.elapsed() > LINE_EVERY || counted.done == self.all) {
-            counted.told = Instant::now();
+        if self.bar.is_hidden() && (counted.said.elapsed() > LINE_EVERY || counted.done == self.all) {
+            counted.said = Instant::now();
             let elapsed = self.start.elapsed().as_secs_f64();
             let left = elapsed * (self.all - counted.done) as f64 / counted.done as f64;
             let (done, all, failed) = (counted.done, self.all, counted.failed);

@@ -9,10 +9,10 @@ const MOST_KEYS: usize = 3;
 
 /// Tips for a refused command line of the program; the parser's advice to pass options as values is taken away.
 pub(super) fn tips(program: &Command, error: &mut clap::Error, arguments: &[String]) -> Vec<String> {
-    if let Some(ContextValue::StyledStrs(mut told)) = error.remove(ContextKind::Suggested) {
-        told.retain(|tip| !tip.to_string().starts_with("to pass "));
-        if !told.is_empty() {
-            error.insert(ContextKind::Suggested, ContextValue::StyledStrs(told));
+    if let Some(ContextValue::StyledStrs(mut said)) = error.remove(ContextKind::Suggested) {
+        said.retain(|tip| !tip.to_string().starts_with("to pass "));
+        if !said.is_empty() {
+            error.insert(ContextKind::Suggested, ContextValue::StyledStrs(said));
         }
     }
     let verb = near_verb(program, error).map(|verb| format!("did you mean `splashdown {verb}`?"));

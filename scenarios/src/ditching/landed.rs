@@ -82,7 +82,7 @@ pub struct Summary {
     /// What its file assumes; absent when it names nothing.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub assumptions: Vec<String>,
-    /// What bore the load.
+    /// What carried the load.
     pub model: &'static str,
     /// Strips along the fuselage.
     pub strips: usize,
@@ -121,17 +121,17 @@ pub struct Summary {
     /// Warnings about waves and bending; absent when there are none.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub warnings: Vec<String>,
-    /// What its structure bore.
+    /// Loads on its structure.
     #[serde(flatten)]
     pub structure: Structure,
 }
 
-/// What the structure of a landing bore.
+/// Loads on the structure in a landing.
 #[derive(Clone, Debug, Serialize)]
 pub struct Structure {
     /// What each accelerometer shows.
     pub accelerometers: Vec<Accelerometer>,
-    /// What each part bore that may meet the water.
+    /// Load of each part that may meet the water.
     pub parts: Vec<PartLoad>,
     /// Largest deflection of the fuselage from its straight axis [m]; absent for a rigid one.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -140,7 +140,7 @@ pub struct Structure {
     pub frequencies_hz: Vec<f64>,
     /// Each station: load and pressure of the strips that are nearer to it than to another, shear and bending in its cut.
     pub stations: Vec<StationLoad>,
-    /// Error of the balance of loads and inertia: what a cut aft of the tail bears, over the largest in any [-].
+    /// Error of the balance of loads and inertia: what a cut aft of the tail carries, over the largest in any [-].
     pub balance_error: f64,
 }
 

@@ -1,4 +1,4 @@
-//! What the structure of a landing bears: stations of the fuselage, and parts that meet the water.
+//! Loads on the structure in a landing: stations of the fuselage, and parts that meet the water.
 
 use run::summary::Peak;
 use serde::Serialize;
@@ -24,7 +24,7 @@ pub struct Accelerometer {
     pub longitudinal_g: Peak,
 }
 
-/// What a station bore.
+/// Loads of a station.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct StationLoad {
     /// Its place, from the nose [m].
@@ -39,7 +39,7 @@ pub struct StationLoad {
     pub bending_nm: Peak,
 }
 
-/// What a part bore that met the water.
+/// Load of a part that met the water.
 #[derive(Clone, Debug, Serialize)]
 pub struct PartLoad {
     /// Its name.
@@ -115,7 +115,7 @@ fn keep(peak: &mut Peak, value: f64, time_s: f64) {
     }
 }
 
-/// What each station bore, and the error of the balance of the fuselage's cuts: what a cut aft of the tail bears over the largest in any.
+/// Loads of each station, and the error of the balance of the fuselage's cuts: what a cut aft of the tail carries over the largest in any.
 pub(super) fn stations(
     scene: &Scene,
     landing: &Landing<'_>,
@@ -159,7 +159,7 @@ pub(super) fn stations(
     (loads, (error[0] / largest[0]).max(error[1] / largest[1]))
 }
 
-/// What each part bore.
+/// Load of each part.
 pub(super) fn parts(landing: &Landing<'_>, moments: &[LandingState]) -> Vec<PartLoad> {
     let of_part = |(k, name): (usize, &str)| {
         let mut force_n = Peak::default();

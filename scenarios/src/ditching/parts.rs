@@ -47,7 +47,7 @@ pub struct NacelleKeys {
     pub breaks_at: Option<f64>,
 }
 
-/// An item of `[[panels]]`: a part of the bottom that gives way; then it bears nothing, and the frame at its rear end stands against the water.
+/// An item of `[[panels]]`: a part of the bottom that gives way; then it carries no load, and the frame at its rear end stands against the water.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct PanelKeys {
     /// A word that names it.

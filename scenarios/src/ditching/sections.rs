@@ -85,7 +85,7 @@ impl SectionScene {
     }
 }
 
-/// Scenes of `count` places, spread evenly over the keel that presses when the water bears most.
+/// Scenes of `count` places, spread evenly over the keel that presses when the load of the water is largest.
 ///
 /// Each enters at a constant speed, that of the keel in its plane of water then: a speed that changes with time is not among the
 /// motions of a scene.
@@ -112,7 +112,7 @@ fn section_scene(scene: &Scene, entry: &ImpactingPart, time: f64, hull: &Hull) -
     let (time_s, by_theory) =
         (draught / speed, scene.water.density * (slam * speed * speed + scene.water.gravity * area));
     let text = format!(
-        "# The section {x:.2} m from the nose of {} when the water bears most, t = {time:.3} s: draught {draught:.4} m and\n\
+        "# The section {x:.2} m from the nose of {} when the load of the water is largest, t = {time:.3} s: draught {draught:.4} m and\n\
          # {speed:.3} m/s in its plane of water. It enters at that speed from the first touch on, to 1.2 times that draught, at\n\
          # t = {:.5} s, where {} and buoyancy say {by_theory:.0} N/m.\n\
          name = \"{name}\"\n\

@@ -32,7 +32,7 @@ const COLUMNS: [(&str, Read); 20] = [
     ("line_load_at_m", |m, _| heaviest(m)[0]),
 ];
 
-/// Where the keel bears most, from the nose [m], and how much a metre [N/m].
+/// Where the load of a metre of keel is largest, from the nose [m], and that load [N/m].
 fn heaviest(moment: &LandingState) -> [f64; 2] {
     let loaded = moment.strips.iter().filter_map(|(s, f)| Some([s.entry?.at.x, f / s.entry?.length]));
     loaded.fold([f64::NAN, 0.0], |worst, now| if now[1] > worst[1] { now } else { worst })

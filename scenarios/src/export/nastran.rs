@@ -83,7 +83,7 @@ impl PanelLoads<'_> {
                 format!(
                     "LOAD = {pressures}: the largest pressure of each node over the samples, each at its own time:"
                 ),
-                "more than the panel bears at any instant. FYE is to the left of the bars.".into(),
+                "more than the panel carries at any instant. FYE is to the left of the bars.".into(),
                 format!(
                     "LOAD = {forces}: forces at t = {time} s, when that across the panel is largest: {force:.6e} N/m."
                 ),

@@ -10,7 +10,7 @@ const GRAVITY: f64 = 9.81;
 const LEVEL_DEG: f64 = 0.25;
 /// Distance of water from a wall that it stands at, in spacings [-].
 const AT_WALL: f64 = 6.0;
-/// Particles of a scene over those of the files from which it is told [-].
+/// Particles of a scene over those of the files from which it is reported [-].
 const LARGER: f64 = 2.0;
 /// Share of the tank's width from which water fills it [-].
 const FULL: f64 = 0.95;
@@ -124,9 +124,7 @@ pub fn scene_of(name: &str, indat: &Indat, ipart: &Ipart, files: [&str; 2]) -> R
         "XMIN to ZMAX: no counterpart, the domain is the tank; x = 0 is its middle, y = 0 the still water".to_string(),
     );
     lines.note("pressure, density, temperature and sound velocity of each particle: no counterpart, water starts at rest in equilibrium");
-    lines.note(
-        "IPART: fixed limit particles are taken to stand first, then mobile ones; walls are made anew from the tank",
-    );
+    lines.note("IPART: fixed limit particles are taken to stand first, then mobile ones; walls are made from the tank");
     Ok(Imported { text: lines.text(), notes: lines.notes })
 }
 

@@ -11,8 +11,8 @@ use temp_dir::TempDir;
 fn splashdown(folder: &Path, arguments: &[&str]) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_splashdown"));
     let output = command.args(arguments).current_dir(folder).output().expect("the program runs");
-    let told = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "{arguments:?}: {told}");
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{arguments:?}: {said}");
     output
 }
 
@@ -49,8 +49,8 @@ fn scene_of_bars(keys: &str) -> String {
 }
 
 fn frequencies(folder: &Path, scene: &str) -> Vec<f64> {
-    let told = json(folder, &[&["check", scene][..], &SHORT].concat());
-    let list = told["panels"][0]["natural_frequencies_hz"].as_array().expect("frequencies");
+    let said = json(folder, &[&["check", scene][..], &SHORT].concat());
+    let list = said["panels"][0]["natural_frequencies_hz"].as_array().expect("frequencies");
     list.iter().map(|f| f.as_f64().expect("a number")).collect()
 }
 
@@ -166,8 +166,8 @@ fn a_panel_comes_back_as_its_modes() {
     let scene = include_str!("../../scene/scenes/flexible_wedge.toml");
     let body = &scene[..scene.find("[[body.panels]]").expect("a panel")];
     fs::write(at.join("modal.toml"), format!("{body}modes_file = \"modes.toml\"\n")).expect("a scene");
-    let told = json(at, &[&["check", "modal.toml"][..], &SHORT].concat());
-    let first = told["modes"]["natural_frequencies_hz"][0].as_f64().expect("a frequency");
+    let said = json(at, &[&["check", "modal.toml"][..], &SHORT].concat());
+    let first = said["modes"]["natural_frequencies_hz"][0].as_f64().expect("a frequency");
     assert!(written.contains(&format!("frequency = {first:?}")), "{first}");
     run(at, "modal.toml", "modal");
     let [plate, modal] = ["plate", "modal"].map(|run| read(at.join(run).join("series.csv")));
@@ -247,7 +247,7 @@ fn a_run_without_panels_has_no_loads_to_write() {
     for format in ["--loads", "--nastran"] {
         let mut command = Command::new(env!("CARGO_BIN_EXE_splashdown"));
         let output = command.args(["export", "rigid", format]).current_dir(folder.path()).output().expect("an answer");
-        let told = String::from_utf8_lossy(&output.stderr);
-        assert!(output.status.code() == Some(2) && told.contains("its body has no panels"), "{told}");
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.code() == Some(2) && said.contains("its body has no panels"), "{said}");
     }
 }

@@ -87,7 +87,7 @@ fn a_failed_run_has_a_summary_that_tells_why() {
 
 /// A run that was dropped before its end has a page about the host's motion as well.
 #[test]
-fn a_hosted_run_that_did_not_end_is_told_as_one() {
+fn a_hosted_run_that_did_not_end_is_reported_as_one() {
     let folder = TempDir::new().expect("a folder");
     let dir = folder.path().join("dropped");
     let scene = CASES[0].open(&["time.sample_every=2e-4"]).recording(dir.clone(), false).with_page(report::page_of_run);
@@ -105,7 +105,7 @@ fn a_hosted_run_that_did_not_end_is_told_as_one() {
     assert!(page.contains("moved by a host program"));
 }
 
-/// What the host did is told, and what the scene would have done is not in the page.
+/// What the host did is reported, and what the scene would have done is not in the page.
 #[test]
 fn a_hosted_report_is_about_the_hosts_motion() {
     let folder = TempDir::new().expect("a folder");
@@ -142,8 +142,8 @@ fn a_full_disk_ends_the_records_and_not_the_run() {
     let mut limited = std::process::Command::new("sh");
     limited.args(["-c", "trap '' XFSZ; ulimit -f 200; exec \"$0\" --exact \"$1\""]).env("SPLASHDOWN_FULL", "1");
     let ended = limited.arg(std::env::current_exe().expect("a test")).arg(FULL).output().expect("a shell");
-    let told = String::from_utf8_lossy(&ended.stdout);
-    assert!(ended.status.success() && told.contains("1 passed"), "{told}");
+    let said = String::from_utf8_lossy(&ended.stdout);
+    assert!(ended.status.success() && said.contains("1 passed"), "{said}");
 }
 
 #[cfg(unix)]

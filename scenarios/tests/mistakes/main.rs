@@ -120,13 +120,13 @@ fn every_mistake_is_refused_in_words_that_help() {
 fn refusal(folder: &Path, arguments: &[&str]) -> String {
     let output = Command::new(env!("CARGO_BIN_EXE_splashdown")).args(arguments).current_dir(folder).output();
     let output = output.expect("the program runs");
-    let told = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {told}");
-    told
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {said}");
+    said
 }
 
 #[test]
-fn a_folder_is_told_for_what_it_holds() {
+fn a_folder_is_reported_for_what_it_holds() {
     let folder = temp_dir::TempDir::new().expect("a folder");
     for (file, command) in [("scene.resolved.toml", "splashdown resume held"), ("sweep.json", "splashdown sweep held")]
     {
@@ -134,8 +134,8 @@ fn a_folder_is_told_for_what_it_holds() {
         fs::create_dir_all(&held).expect("a folder");
         fs::write(held.join(file), "").expect("a file");
         for verb in ["run", "check"] {
-            let told = refusal(folder.path(), &[verb, "held"]);
-            assert!(told.contains("`held` is the folder of a") && told.contains(command), "{told}");
+            let said = refusal(folder.path(), &[verb, "held"]);
+            assert!(said.contains("`held` is the folder of a") && said.contains(command), "{said}");
         }
     }
 }
@@ -146,17 +146,17 @@ fn a_folder_that_holds_a_run_is_refused_before_warnings() {
     let folder = temp_dir::TempDir::new().expect("a folder");
     fs::create_dir(folder.path().join("held")).expect("a folder");
     fs::write(folder.path().join("held/summary.json"), "{}").expect("a file");
-    let told = refusal(folder.path(), &["run", "wedge", "--set", "resolution.spacing=0.01", "--out", "held"]);
-    assert!(told.starts_with("error: held already holds a run") && !told.contains("WARN"), "{told}");
+    let said = refusal(folder.path(), &["run", "wedge", "--set", "resolution.spacing=0.01", "--out", "held"]);
+    assert!(said.starts_with("error: held already holds a run") && !said.contains("WARN"), "{said}");
 }
 
 /// The parser's advice to pass an unknown option as a value is not repeated.
 #[test]
 fn a_key_as_an_option_gets_the_tip_to_set_it() {
     let folder = temp_dir::TempDir::new().expect("a folder");
-    let told = refusal(folder.path(), &["run", "wedge", "--spacing", "0.01"]);
-    assert!(told.contains("tip: a key of the scene is set by `--set resolution.spacing=0.01`"), "{told}");
-    assert!(!told.contains("-- --spacing"), "{told}");
-    let told = refusal(folder.path(), &["run", "wedge", "--chekpoint-every", "1"]);
-    assert!(told.contains("--checkpoint-every"), "{told}");
+    let said = refusal(folder.path(), &["run", "wedge", "--spacing", "0.01"]);
+    assert!(said.contains("tip: a key of the scene is set by `--set resolution.spacing=0.01`"), "{said}");
+    assert!(!said.contains("-- --spacing"), "{said}");
+    let said = refusal(folder.path(), &["run", "wedge", "--chekpoint-every", "1"]);
+    assert!(said.contains("--checkpoint-every"), "{said}");
 }

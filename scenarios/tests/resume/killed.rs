@@ -21,7 +21,7 @@ fn start(arguments: &[&str]) -> Child {
     command.spawn().expect("the program")
 }
 
-/// Wait until a file has been written anew so many times, or the child has ended; no one of its checkpoints has the bytes of another.
+/// Wait until a file has been written this number of times, or the child has ended; no one of its checkpoints has the bytes of another.
 fn wait_for(times: u32, file: &Path, child: &mut Child) {
     let content = || std::fs::read(file).ok();
     let (start, mut last, mut seen) = (Instant::now(), content(), 0);

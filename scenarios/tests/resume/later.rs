@@ -19,8 +19,8 @@ fn goes_on(name: &str, sets: &[&str], later: f64) {
     let summary = run(&scene, &options).expect("a run").summary;
     assert!(summary.status.is_completed());
     let refused = Resumable::open(&parts, None).expect("a checkpoint").resume(&RunOptions::default());
-    let told = refused.err().expect("a run without an end to go on to").to_string();
-    assert!(told.contains("expected --until with a later time"), "{told}");
+    let said = refused.err().expect("a run without an end to go on to").to_string();
+    assert!(said.contains("expected --until with a later time"), "{said}");
     resumed(&parts, Some(later));
     let resolved = fs::read_to_string(parts.join("scene.resolved.toml")).expect("a resolved scene");
     let longer = Scene::from_toml(&resolved).expect("a scene");
@@ -72,7 +72,7 @@ fn files_that_went_on_are_cut_back() {
     assert_same("dam_break", &whole, &parts);
 }
 
-/// A later end may need more water, or a finer one: what is doubtful then is told, and stands in the summary.
+/// A later end may need more water, or a finer one: what is doubtful then is a warning, and in the summary.
 #[test]
 fn warnings_are_those_of_the_later_end() {
     let place = TempDir::new().expect("a folder");
@@ -81,10 +81,10 @@ fn warnings_are_those_of_the_later_end() {
     let checkpoints = Some(Checkpoints { every: Some(scene.time.end) });
     let warnings = vec!["a warning of the command line".to_string()];
     run(&scene, &RunOptions { out: Some(dir.clone()), checkpoints, warnings, ..RunOptions::default() }).expect("a run");
-    let told = |run: &Resumable| run.warnings().join("\n");
+    let said = |run: &Resumable| run.warnings().join("\n");
     let later = Resumable::open(&dir, Some(0.02)).expect("a checkpoint");
-    assert!(told(&later).contains("the echo from the tank's walls"), "{}", told(&later));
-    assert!(told(&later).contains("a warning of the command line"), "{}", told(&later));
+    assert!(said(&later).contains("the echo from the tank's walls"), "{}", said(&later));
+    assert!(said(&later).contains("a warning of the command line"), "{}", said(&later));
     drop(later);
     let mut program = std::process::Command::new(env!("CARGO_BIN_EXE_splashdown"));
     let output = program.arg("resume").arg(&dir).args(["--until", "4ms"]).output().expect("the program");

@@ -36,7 +36,7 @@ fn complete(scene: &Scene, dir: &Path) -> u64 {
     summary.steps
 }
 
-/// Run a scene that writes `checkpoints` of its time, and stop it after so many steps as if it had been killed.
+/// Run a scene that writes `checkpoints` of its time, and stop it after this number of steps as if it had been killed.
 fn broken_off(scene: &Scene, dir: &Path, checkpoints: f64, steps: u64) {
     let every = Some((scene.time.end - scene.time.start) / checkpoints);
     let options = RunOptions {

@@ -79,13 +79,13 @@ fn other_files_that_do_not_fit_are_refused() {
     let dir = broken(&place);
     let [scene, log] = ["scene.resolved.toml", "log.mcap"].map(|file| dir.join(file));
     let text = fs::read_to_string(&scene).expect("a scene");
-    for (other, told) in [
+    for (other, said) in [
         (text.replace("density = 1000.0", "density = 1025.0"), "is not the scene of checkpoint.bin"),
         ("not a scene".into(), "expected the scene as the run wrote it"),
     ] {
         assert_ne!(other, text);
         fs::write(&scene, other).expect("a file");
-        assert_says(&refusal(&[name(&dir)]), &["scene.resolved.toml", told]);
+        assert_says(&refusal(&[name(&dir)]), &["scene.resolved.toml", said]);
     }
     fs::write(&scene, text).expect("a file");
     let bytes = fs::read(&log).expect("a log");
@@ -123,9 +123,9 @@ fn checkpoints_belong_to_runs_of_particles() {
     let dir = broken(&place);
     let program = || Command::new(env!("CARGO_BIN_EXE_splashdown"));
     let theory = ["run", "wedge", "--set", "model=wagner", "--checkpoint-every", "0.1", "--out"];
-    let told = program().args(theory).arg(place.path().join("theory")).output().expect("the program");
-    assert_eq!(told.status.code(), Some(2));
-    assert_says(&String::from_utf8_lossy(&told.stderr), &["model = \"wagner\" has no steps"]);
+    let said = program().args(theory).arg(place.path().join("theory")).output().expect("the program");
+    assert_eq!(said.status.code(), Some(2));
+    assert_says(&String::from_utf8_lossy(&said.stderr), &["model = \"wagner\" has no steps"]);
     let forced = ["run", "wedge", "--set", "model=wagner", "--force", "--quiet", "--out", name(&dir)];
     assert!(program().args(forced).status().expect("the program").success());
     assert!(!dir.join("checkpoint.bin").exists());

@@ -52,7 +52,7 @@ fn where_water_is_not_as_soft_the_peaks_are_refused() {
 }
 
 #[test]
-fn tension_beyond_the_vapour_pressure_is_told() {
+fn tension_beyond_the_vapour_pressure_is_reported() {
     let bound = "fluid.cavitation_pressure = -99000 bounds it";
     assert!(!opened(&["body.velocity=[0, -14]"]).1.contains("vapour"));
     assert!(opened(&["body.velocity=[0, -20]"]).1.contains(bound));

@@ -102,9 +102,9 @@ fn a_convex_section_with_rounded_points_has_its_theories() {
     fs::write(&path, scene).expect("a file");
     let loaded = load(path.to_str().expect("a printable path"), &[]).expect("it loads");
     let theories = preflight(&loaded.scene, &[]).theories;
-    let told: Vec<_> = theories.iter().filter_map(|theory| Some((theory.model, theory.obstacle.clone()?))).collect();
+    let said: Vec<_> = theories.iter().filter_map(|theory| Some((theory.model, theory.obstacle.clone()?))).collect();
     let of_wedges_only = ["similarity", "boundary_element"];
-    assert!(told.iter().all(|(model, _)| of_wedges_only.contains(&model.name())), "{told:?}");
+    assert!(said.iter().all(|(model, _)| of_wedges_only.contains(&model.name())), "{said:?}");
 }
 
 #[test]
@@ -122,7 +122,7 @@ fn a_motion_from_a_table_is_that_of_its_rows() {
     assert_eq!(again.scene, loaded.scene);
 }
 
-/// A float of 18 deg with a keel of 80 mm radius, drawn by so many chords to each side; `more` ends the table of the body.
+/// A float of 18 deg with a keel of 80 mm radius, drawn by this number of chords to each side; `more` ends the table of the body.
 fn float(chords: u32, more: &str) -> String {
     let slope = 18.0_f64.to_radians();
     let arc = |k: u32| {

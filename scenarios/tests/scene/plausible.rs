@@ -1,4 +1,4 @@
-//! Values that can be run, but are hardly meant: told with their numbers and the likely unit.
+//! Values that can be run, but are hardly meant: warnings with their numbers and the likely unit.
 
 use std::fs;
 
@@ -22,46 +22,49 @@ fn warnings(keys: &str, header: &str, points: &[[f64; 2]]) -> Vec<String> {
     load(path.to_str().expect("a printable path"), &[]).unwrap_or_else(|error| panic!("{keys}: {error}")).warnings
 }
 
-fn assert_told(told: &[String], parts: &[&str]) {
-    let found = told.iter().any(|warning| parts.iter().all(|part| warning.contains(part)));
-    assert!(found, "{parts:?} in {told:?}");
+fn assert_warned(said: &[String], parts: &[&str]) {
+    let found = said.iter().any(|warning| parts.iter().all(|part| warning.contains(part)));
+    assert!(found, "{parts:?} in {said:?}");
 }
 
 #[test]
-fn a_mean_density_that_no_body_has_is_told_with_the_likely_unit() {
+fn a_mean_density_that_no_body_has_is_reported_with_the_likely_unit() {
     let of = |keys: &str, header: &str| warnings(keys, header, &POINTS);
     let in_metres = of("mass = 300.0", "x, y");
-    assert_told(
+    assert_warned(
         &in_metres,
         &["mean density", "body.mass = 300 kg/m on 480000 m²", "1200 m wide", "body.outline_unit = \"mm\""],
     );
-    assert_told(&of("mass = 0.3", "x [mm], y [mm]"), &["mean density", "0.625 kg/m³", "body.mass = \"0.3 t/m\""]);
-    assert_told(&of("mass = 3e5", "x [mm], y [mm]"), &["mean density", "625000 kg/m³", "expected 1 to 20000"]);
+    assert_warned(&of("mass = 0.3", "x [mm], y [mm]"), &["mean density", "0.625 kg/m³", "body.mass = \"0.3 t/m\""]);
+    assert_warned(&of("mass = 3e5", "x [mm], y [mm]"), &["mean density", "625000 kg/m³", "expected 1 to 20000"]);
     let sound = of("mass = 300.0", "x [mm], y [mm]");
     assert!(!sound.iter().any(|warning| warning.contains("mean density")), "{sound:?}");
 }
 
 #[test]
-fn a_body_lighter_than_its_own_panels_is_told() {
+fn a_body_lighter_than_its_own_panels_is_reported() {
     let panel = "[[body.panels]]\nname = \"bottom\"\nfrom_point = 1\nto_point = 2\nthickness = \"4 mm\"\nmaterial = \"steel_s235\"\n";
     let of = |mass: &str| warnings(&format!("mass = {mass}\n{panel}"), "x [mm], y [mm]", &POINTS);
-    assert_told(&of("0.3"), &["body.mass = 0.3 kg/m", "less than their 19.8", "\"0.3 t/m\""]);
+    assert_warned(&of("0.3"), &["body.mass = 0.3 kg/m", "less than their 19.8", "\"0.3 t/m\""]);
     assert!(!of("300.0").iter().any(|warning| warning.contains("without its panels")));
     let in_metres = warnings(&format!("mass = 300.0\n{panel}"), "x, y", &POINTS);
-    assert_told(&in_metres, &["mean density", "body.outline_unit = \"mm\""]);
+    assert_warned(&in_metres, &["mean density", "body.outline_unit = \"mm\""]);
     assert!(!in_metres.iter().any(|warning| warning.contains("t/m")), "{in_metres:?}");
 }
 
 #[test]
-fn half_a_section_in_a_scene_without_symmetry_is_told() {
+fn half_a_section_in_a_scene_without_symmetry_is_reported() {
     let half = [&POINTS[..3], &[[0.0, 500.0]]].concat();
-    assert_told(&warnings("mass = 100.0", "x [mm], y [mm]", &half), &["hull.csv may be half a section", "both halves"]);
+    assert_warned(
+        &warnings("mass = 100.0", "x [mm], y [mm]", &half),
+        &["hull.csv may be half a section", "both halves"],
+    );
 }
 
 #[test]
-fn a_class_that_sae_j211_does_not_have_is_told() {
+fn a_class_that_sae_j211_does_not_have_is_reported() {
     let of = |class: &str| load("wedge", &[format!("report.acceleration_cfc={class}")]).expect("a scene").warnings;
-    assert_told(&of("100"), &["acceleration_cfc = 100 Hz", "60, 180, 600, 1000"]);
+    assert_warned(&of("100"), &["acceleration_cfc = 100 Hz", "60, 180, 600, 1000"]);
     assert!(!of("180").iter().any(|warning| warning.contains("acceleration_cfc")));
 }
 
@@ -69,8 +72,8 @@ fn a_class_that_sae_j211_does_not_have_is_told() {
 #[test]
 fn no_other_scene_of_ours_is_implausible() {
     for (name, _) in builtin().iter().filter(|(name, _)| *name != "plate_drop") {
-        let told = load(name, &[]).expect("a built-in scene").warnings;
+        let said = load(name, &[]).expect("a built-in scene").warnings;
         let doubtful = |warning: &&String| ["mean density", "its panels"].iter().any(|part| warning.contains(part));
-        assert_eq!(told.iter().find(doubtful), None, "{name}");
+        assert_eq!(said.iter().find(doubtful), None, "{name}");
     }
 }

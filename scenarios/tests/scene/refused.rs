@@ -175,14 +175,14 @@ fn bodies_and_tanks_must_fit_together() {
     }
 }
 
-/// A film of water of one row of particles is told, and no other one.
+/// A film of water of one layer of particles gives a warning, and no other one.
 #[test]
-fn a_film_too_thin_for_the_projection_is_told() {
-    let told = |scene: &str, gap: &str| {
+fn a_film_too_thin_for_the_projection_is_reported() {
+    let said = |scene: &str, gap: &str| {
         let loaded = run::load(scene, &[format!("contact.gap={gap}")]).expect("a sound scene");
         loaded.warnings.iter().any(|warning| warning.starts_with("contact.gap"))
     };
-    assert!(told("two_boxes", "1.9") && !told("two_boxes", "2") && !told("flap", "1"));
+    assert!(said("two_boxes", "1.9") && !said("two_boxes", "2") && !said("flap", "1"));
 }
 
 /// With panels Verlet's leapfrog broke at 0.5 ms beside "added_mass" and at 2 ms beside "iqn_ils"; beside "weak" it ran.

@@ -100,16 +100,16 @@ fn no_similarity_solution_holds_beside_another_body() {
     assert!(words.contains("`similarity`") && words.contains("a wedge alone"), "{words}");
 }
 
-/// A wedge with a box on a slider: the box changes how it decelerates, and the scene is told what is left out.
+/// A wedge with a box on a slider: the box changes how it decelerates, and a warning names what is left out.
 #[test]
-fn a_joined_body_that_enters_is_told_of_the_speed_of_sound_that_it_would_have() {
+fn a_joined_body_that_enters_is_reported_of_the_speed_of_sound_that_it_would_have() {
     let top = "[[bodies]]\nname = \"top\"\nshape = \"box\"\nbreadth = 0.1\nheight = 0.1\nmass = 10.0\nfree = [\"y\"]\n\
         position = [-0.25, 0.6]\nvelocity = [0.0, -3.0]\n[[joints]]\nname = \"rail\"\nkind = \"slider\"\n\
         bodies = [\"left\", \"top\"]\nat = [-0.25, 0.6]\naxis = [0.0, 1.0]\n";
     let text = alone_text().replace("[body]", "[tank]\nwidth = 2.0\ndepth = 0.6\n[body]") + top;
     let warnings = load_text("joined", &text, &[]).unwrap_or_else(|error| panic!("{error}")).warnings;
-    let told = |w: &String| w.starts_with("body left: a joint holds it") && w.contains("fluid.sound_speed = 329.4 m/s");
-    assert!(warnings.iter().any(told), "{warnings:#?}");
+    let said = |w: &String| w.starts_with("body left: a joint holds it") && w.contains("fluid.sound_speed = 329.4 m/s");
+    assert!(warnings.iter().any(said), "{warnings:#?}");
 }
 
 fn alone_text() -> String {

@@ -3,7 +3,7 @@
 use super::Place;
 
 #[test]
-fn wrong_input_is_told_with_its_place() {
+fn wrong_input_is_reported_with_its_place() {
     for (sweep, says) in [
         ("scene = \"wedge\"\n[grid]\nbody.deadrise = [20]\n", "unknown key"),
         ("scene = \"wedge\"\n[grid]\nbody.deadrise_deg = 20\n", "drops.toml:3"),
@@ -25,7 +25,7 @@ fn wrong_input_is_told_with_its_place() {
 }
 
 #[test]
-fn wrong_arguments_are_told() {
+fn wrong_arguments_are_reported() {
     let place = Place::new("scene = \"wedge\"\n[set]\nmodel = \"wagner\"\n");
     let refused = |arguments: &[&str], says: &str| {
         let ended = place.command(arguments).output().expect("the command starts");

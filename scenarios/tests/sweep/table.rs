@@ -154,7 +154,7 @@ fn a_point_that_fails_is_a_row() {
     );
     let worst = place.text("up/worst.csv");
     assert!(worst.contains("\nline_load_n_per_m,station 24.0 m,,"), "{worst}");
-    // what the landing whose nose went under bore before is not forgotten, and is marked
+    // the loads of the landing whose nose went under are not forgotten, and is marked
     let cell = |row: &[&str], name: &str| row[head.iter().position(|own| *own == name).expect("a column")].to_string();
     assert_eq!(cell(&rows[1], "load_factor.verdict"), "not_resolved", "{table}");
     let factor = |row: &[&str]| cell(row, "load_factor").parse::<f64>().expect("a number");

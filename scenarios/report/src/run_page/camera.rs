@@ -7,7 +7,7 @@ pub(super) const ASPECT: f64 = 1.9;
 /// Width of a picture in breadths of the body and in fine zones, at least [-].
 const BREADTHS: f64 = 2.2;
 const ZONES: f64 = 2.6;
-/// A picture is at most so many times as wide, to hold both a body and the surface far from it [-].
+/// A picture is at most this many times as wide, to hold both a body and the surface far from it [-].
 const WIDEST: f64 = 3.0;
 /// Share of the width by which a body must move sideways for the camera to follow [-].
 const STILL: f64 = 0.1;

@@ -20,9 +20,9 @@ const MANY: usize = 60;
 const STILL: f64 = 1e-9;
 /// The mean over a time τ halves the power at this over τ (THEORY GE18) [-].
 const CUTOFF: f64 = 0.443;
-/// A mean is drawn where it holds more than so many samples.
+/// A mean is drawn where it holds more than this number of samples.
 const LEAST_SAMPLES: f64 = 3.0;
-/// An allowable stress is drawn where it is below so many times the stress.
+/// An allowable stress is drawn where it is below this multiple of the stress.
 const NEAR: f64 = 4.0;
 /// What columns of stress begin with.
 const STRESS: &str = "Largest stress";

@@ -68,7 +68,7 @@ pub(super) fn of_material(run: &RunFolder, name: &str) -> Option<String> {
         }
         Some(stress) => format!("{name} did not yield, which it does above {}", with_unit(stress, "Pa")),
         None => format!(
-            "{name} is elastic at any stress in this run, for it has no yield_stress: a metal that yields bears less stress and bends more"
+            "{name} is elastic at any stress in this run, for it has no yield_stress: a metal that yields has less stress and bends more"
         ),
     })
 }

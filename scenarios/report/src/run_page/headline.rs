@@ -41,7 +41,7 @@ pub(super) fn lead(run: &RunFolder) -> String {
     )
 }
 
-/// So many of something.
+/// A count of something.
 fn counted(count: usize, what: &str) -> String {
     format!("{count} {what}{}", if count == 1 { "" } else { "s" })
 }

@@ -1,4 +1,4 @@
-//! What the panels bear: extremes along each panel, and over all.
+//! Extremes of the panels' loads and stresses: extremes along each panel, and over all.
 
 use super::charts::{Figure, LIMIT, file_name};
 use super::folder::RunFolder;
@@ -7,7 +7,7 @@ use super::quantity::{Unit, digits, with_unit};
 use super::record::{Envelope, Extremes, Panel};
 use crate::{Block, Chart, Curve, Mark, Paint, Rgb, Table, row};
 
-/// Reserve factors above this are drawn at it: there the panel bears next to nothing.
+/// Reserve factors above this are drawn at it: there the panel carries next to nothing.
 const LARGEST_RESERVE: f64 = 20.0;
 
 /// Colour of the lower envelope, other than that of limits.

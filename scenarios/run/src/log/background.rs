@@ -80,7 +80,7 @@ impl BackgroundLog {
         BackgroundLog::spawn(Writer { log, budget, path: path.to_owned(), start: None, logged: Logged::default() })
     }
 
-    /// Continues the log `path` from where it was `stored`: the file is written anew beside it, and takes its place once it is as far.
+    /// Continues the log `path` from where it was `stored`: a new file is written next to it, and replaces it once it is as far.
     ///
     /// # Errors
     /// Those of [`LogWriter::create`], and [`LogError::Read`] if the file does not hold what it held.

@@ -89,8 +89,8 @@ mod tests {
     fn noise_is_what_waves_by_the_spacing() {
         let spacing = 0.01;
         let wave = |x: f64| 5.0 + 2.0 * x + 0.03 * (std::f64::consts::TAU * x / 0.04).sin();
-        let told = noise(&sampled(wave), spacing, 1.0, 10.0).expect("a long face");
-        assert!((told / (0.003 / 2.0_f64.sqrt()) - 1.0).abs() < 0.03, "{told}");
+        let notes = noise(&sampled(wave), spacing, 1.0, 10.0).expect("a long face");
+        assert!((notes / (0.003 / 2.0_f64.sqrt()) - 1.0).abs() < 0.03, "{notes}");
         assert!(noise(&sampled(|x| 5.0 - 2.0 * x), spacing, 1.0, 10.0).expect("a long face") < 1e-12);
         // a long wave is flow: of one of length L the residue is 1 − sin(πw/L)/(πw/L) of it, w = 4 spacings
         let long = |x: f64| 0.3 * (std::f64::consts::TAU * x / 0.4).sin();

@@ -185,7 +185,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_face_is_told_from_its_corners() {
+    fn a_face_is_reported_from_its_corners() {
         let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
         assert_eq!(face_normal(&square, [0.5, 0.0], 0.1, false), Some([0.0, -1.0]));
         assert_eq!(face_normal(&square, [1.0, 0.5], 0.1, true), Some([-1.0, 0.0]));

@@ -12,7 +12,7 @@ use crate::log::{self, BodyView, LogError, Point};
 /// Start of the channels of the loads on panels' nodes, before the panel's name.
 pub const LOADS: &str = "loads";
 
-/// Names of the fluid's loads on so many nodes, in the axes of the body's frame.
+/// Names of the fluid's loads on this number of nodes, in the axes of the body's frame.
 pub fn load_names(nodes: usize) -> Vec<String> {
     let of = |node: usize| ["fx_N_per_m", "fy_N_per_m", "m_N"].map(|unit| format!("node{node}.{unit}"));
     (1..=nodes).flat_map(of).collect()

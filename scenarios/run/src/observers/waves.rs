@@ -163,8 +163,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn waves_that_grow_on_their_way_are_told() {
-        let told = |decay: f64| {
+    fn waves_that_grow_on_their_way_are_reported() {
+        let notes = |decay: f64| {
             let waves = Waves {
                 height_m: 0.02,
                 period_s: 1.0,
@@ -177,7 +177,7 @@ mod tests {
             };
             waves.grow().is_some_and(|why| why.contains("grows by 5 %"))
         };
-        assert!(told(-0.05) && !told(0.05) && !told(-0.005));
+        assert!(notes(-0.05) && !notes(0.05) && !notes(-0.005));
     }
 
     /// A wave with a mean and a second harmonic: amplitude and phase of the first are found.

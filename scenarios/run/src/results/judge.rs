@@ -110,7 +110,7 @@ impl Judge {
         let known = force.as_ref().is_some_and(|(quantity, _)| quantity.verdict == Verdict::Resolved);
         let by_acceleration = |peak: Extreme, raw: Extreme| {
             let dry = curves.draught_at(peak.time) <= self.spacing;
-            let falls = dry && self.gravity > 0.0 && peak.value <= (1.0 + LEAST_FORCE_BAND) * self.gravity; // before the water bears
+            let falls = dry && self.gravity > 0.0 && peak.value <= (1.0 + LEAST_FORCE_BAND) * self.gravity; // before the water carries it
             match (falls, known) {
                 (true, true) => {
                     let why = "it is that of the fall: the water accelerates the body less";
@@ -352,7 +352,7 @@ mod tests {
         }
     }
 
-    /// A force of 1 N/m for a second, with a step of 0.01 s that is so many times as large.
+    /// A force of 1 N/m for a second, with a step of 0.01 s that is larger by this factor.
     fn judged(spike: f64, sound_speed: Option<f64>) -> Quantity {
         let mut curves = Curves::default();
         for k in 0..=100 {

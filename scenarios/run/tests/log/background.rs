@@ -72,7 +72,7 @@ fn a_budget_leaves_out_frames_and_nothing_else() {
     assert_eq!(last, Some((1e9 * time_of(FRAMES - 1)).round() as u64));
 }
 
-/// What goes wrong on the other thread is told by one of the next calls, in its words, and by the end at the latest.
+/// What goes wrong on the other thread is reported by one of the next calls, in its words, and by the end at the latest.
 #[test]
 fn an_error_of_the_other_thread_comes_back() {
     let folder = TempDir::new().unwrap();
@@ -84,8 +84,8 @@ fn an_error_of_the_other_thread_comes_back() {
 
     let mut log = create(&path_in(&folder), None);
     wrong(&mut log).expect("it is not known yet");
-    let told = (0..FRAMES).find_map(|k| write_frame(&mut log, k).err()).expect("the thread has ended");
-    assert!(matches!(told, LogError::Channel { .. }), "{told}");
+    let said = (0..FRAMES).find_map(|k| write_frame(&mut log, k).err()).expect("the thread has ended");
+    assert!(matches!(said, LogError::Channel { .. }), "{said}");
     let after = log.note(1.0, Level::Warning, "late").expect_err("the log has ended");
     assert!(matches!(after, LogError::Ended { .. }), "{after}");
 }

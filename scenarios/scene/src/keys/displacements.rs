@@ -5,7 +5,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use settings::significant;
 
-/// Jump of a velocity from row to row that is told, over the largest velocity, and over the jumps beside it [-].
+/// Jump of a velocity from row to row that is reported, over the largest velocity, and over the jumps beside it [-].
 const NOTABLE: f64 = 0.1;
 const STANDS_OUT: f64 = 4.0;
 
@@ -178,7 +178,7 @@ mod tests {
         assert_eq!(table.fault(false), None);
         assert!(table.fault(true).is_some_and(|fault| fault.contains("symmetry")));
     }
-    /// At rest, then downwards at 2 m/s: nothing moves before, no step back is made, and the kink is told.
+    /// At rest, then downwards at 2 m/s: nothing moves before, no step back is made, and the kink is reported.
     #[test]
     fn a_body_that_rests_between_rows_stays_there() {
         let places = [0.0, 0.0, 0.0, -0.2, -0.4, -0.6];
@@ -196,7 +196,9 @@ mod tests {
             last = now.position[1];
         }
         assert!((law(0.5).velocity[1] + 2.0).abs() < 1e-12);
-        assert!(table.kinks("box").is_some_and(|told| told.contains("at 0.2 s") && told.contains("from 0 to -2 m/s")));
+        assert!(
+            table.kinks("box").is_some_and(|notes| notes.contains("at 0.2 s") && notes.contains("from 0 to -2 m/s"))
+        );
         // two equal rows about a crest are no rest
         let crest = [[0.0, 0.0, 0.0, 0.0], [1.0, 0.0, 1.0, 0.0], [2.0, 0.0, 1.0, 0.0], [3.0, 0.0, 0.0, 0.0]];
         assert_eq!([1, 2].map(|k| parabola_rate(&crest, k, 2)), [0.5, -0.5]);
@@ -223,7 +225,9 @@ mod tests {
         }
         assert_eq!(table.short("box", 0.05), None);
         assert!(
-            table.short("box", 0.06).is_some_and(|told| told.contains("ends at 0.05 s") && told.contains("0, -5 m/s"))
+            table
+                .short("box", 0.06)
+                .is_some_and(|notes| notes.contains("ends at 0.05 s") && notes.contains("0, -5 m/s"))
         );
         let late = Displacements {
             displacements: vec![[12.5, 0.0, 0.0, 0.0], [12.9, 0.0, -1.0, 0.0]],

@@ -108,5 +108,5 @@ pub struct BeamModel {
     /// Number of lines.
     pub lines: usize,
     /// What was left out, in sentences.
-    pub told: Vec<String>,
+    pub notes: Vec<String>,
 }

@@ -47,7 +47,7 @@ pub(super) fn property_of_beam(card: &Card) -> Result<(Property, Option<String>)
     let read = |k: Option<f64>| k.filter(|k| rectangle(*k)).unwrap_or(0.0);
     let id = card.id(0, "PID")?;
     let left_out = factors.iter().any(|k| !k.is_some_and(|k| k == 0.0 || rectangle(k)));
-    let told = left_out.then(|| format!("PBEAM {id} bends without shear: of K only 0 and 0.8333 are read"));
+    let notes = left_out.then(|| format!("PBEAM {id} bends without shear: of K only 0 and 0.8333 are read"));
     let property = Property {
         id,
         material: card.id(1, "MID")?,
@@ -58,7 +58,7 @@ pub(super) fn property_of_beam(card: &Card) -> Result<(Property, Option<String>)
         shear_factors: factors.map(read),
         line: card.line,
     };
-    Ok((property, told))
+    Ok((property, notes))
 }
 
 #[cfg(test)]
@@ -74,10 +74,10 @@ mod tests {
         let found = &model.properties[0];
         assert_eq!((found.area, found.second_moments, found.extra_mass), (0.1, [1e-4, 2e-4], 3.0));
         assert_eq!((found.stress_points[0][0], found.shear_factors), (0.5, [0.0; 2]));
-        assert!(model.told.is_empty(), "{:?}", model.told);
+        assert!(model.notes.is_empty(), "{:?}", model.notes);
         let error = BeamModel::read(&card(".2")).expect_err("tapered");
         assert!(error.line == 3 && error.expected.contains("one section"), "{error:?}");
         let usual = BeamModel::read("PBEAM,1,2,.1,1.-4,2.-4\n").expect("a beam");
-        assert!(usual.told[0].contains("without shear"), "{:?}", usual.told);
+        assert!(usual.notes[0].contains("without shear"), "{:?}", usual.notes);
     }
 }

@@ -35,9 +35,9 @@ impl BeamModel {
                 "PBAR" => model.properties.push(property(&card)?),
                 "PBARL" => model.properties.push(property_of_shape(&card)?),
                 "PBEAM" => {
-                    let (property, told) = property_of_beam(&card)?;
+                    let (property, notes) = property_of_beam(&card)?;
                     model.properties.push(property);
-                    model.told.extend(told);
+                    model.notes.extend(notes);
                 }
                 "MAT1" => model.materials.push(isotropic(&card)?),
                 "SPC1" => {
@@ -60,7 +60,7 @@ impl BeamModel {
         }
         if !passed_over.is_empty() {
             let cards: Vec<String> = passed_over.iter().map(|(name, count)| format!("{count} {name}")).collect();
-            model.told.push(format!(
+            model.notes.push(format!(
                 "cards that make no beam are left out, with their mass and stiffness: {}",
                 cards.join(", ")
             ));
@@ -252,7 +252,7 @@ mod tests {
         let model = BeamModel::read(deck).expect("a deck");
         assert_eq!((model.bars.len(), model.properties.len(), model.materials.len()), (1, 1, 1));
         assert_eq!([&model.grids[0].held, &model.grids[1].held], ["345", ""]);
-        assert!(model.told[0].ends_with("1 CONM2, 1 RBE2, 1 SET1"), "{:?}", model.told);
+        assert!(model.notes[0].ends_with("1 CONM2, 1 RBE2, 1 SET1"), "{:?}", model.notes);
         assert!(BeamModel::read("INCLUDE 'other.bdf'\n").is_err());
     }
 

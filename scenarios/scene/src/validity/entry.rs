@@ -1,4 +1,4 @@
-//! What is doubtful about the entry of each body of a scene, told before the run.
+//! What is doubtful about the entry of each body of a scene, before the run.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -33,7 +33,7 @@ pub(crate) fn entry_warnings(scene: &Scene) -> Vec<String> {
 
 /// Bodies that move down into the water and that joints hold: no automatic value knows of their entry.
 fn held_entries(scene: &Scene) -> Vec<String> {
-    let told = |(body, entry): (&Body, Entry)| {
+    let warned = |(body, entry): (&Body, Entry)| {
         let wanted = sound_speed_for(scene.solver.water().compressibility_error, entry.root_speed());
         let slow = !scene.solver.is_incompressible() && scene.sound_speed() < wanted;
         (slow && body.velocity[1] < 0.0 && entry.final_draught > 0.0).then(|| {
@@ -44,7 +44,7 @@ fn held_entries(scene: &Scene) -> Vec<String> {
             )
         })
     };
-    scene.held_entries().into_iter().filter_map(told).collect()
+    scene.held_entries().into_iter().filter_map(warned).collect()
 }
 
 /// Bodies that end their run in the air.

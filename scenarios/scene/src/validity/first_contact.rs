@@ -128,7 +128,7 @@ impl Scene {
     }
 }
 
-/// A round bottom's peak needs an averaging time of so many R V/c₀² (GE20) [-].
+/// A round bottom's peak needs an averaging time of this multiple of R V/c₀² (GE20) [-].
 const ACOUSTIC_TIMES: f64 = 10.0;
 /// Draught at which the water's mass is a fifth of a round body's, at least (GE22) [spacings].
 const LEAST_ROUND: f64 = 1.25;

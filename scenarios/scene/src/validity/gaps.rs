@@ -103,7 +103,7 @@ mod tests {
     }
 
     #[test]
-    fn a_gap_thinner_than_two_spacings_is_told_and_a_wider_one_is_not() {
+    fn a_gap_thinner_than_two_spacings_is_reported_and_a_wider_one_is_not() {
         // the frame's origin is the box's centre
         assert_eq!([[0.0, -0.25], [0.0, -0.43]].map(|at| gap_limit(&scene(at, ""))), [None, None]);
         for (at, beside) in [
@@ -114,12 +114,13 @@ mod tests {
             ([0.0, -0.06], "the surface are 1 spacings"),
         ] {
             let near = scene(at, "");
-            let told = gap_limit(&near).expect("a limit");
-            assert!(told.contains(beside) && gap_warnings(&near).is_empty(), "{told}");
+            let warned = gap_limit(&near).expect("a limit");
+            assert!(warned.contains(beside) && gap_warnings(&near).is_empty(), "{warned}");
         }
         let other = "[[bodies]]\nname = 'other'\nshape = 'box'\nbreadth = 0.1\nheight = 0.1\nmotion = 'fixed'\nposition = [0.165, -0.25]\n";
         assert!(
-            gap_limit(&scene([0.0, -0.25], other)).is_some_and(|told| told.contains("box and other are 1.5 spacings"))
+            gap_limit(&scene([0.0, -0.25], other))
+                .is_some_and(|warned| warned.contains("box and other are 1.5 spacings"))
         );
     }
 }

@@ -1,4 +1,4 @@
-//! What a gauge of a scene reads wrongly, told before the run.
+//! What a gauge of a scene reads wrongly, before the run.
 
 use settings::significant;
 
@@ -12,8 +12,8 @@ const SAMPLES_PER_PERIOD: f64 = 5.0;
 const FOOT: f64 = 4.0;
 /// The pressure rises so far ahead of the spray root, at most: a gauge at 10 degrees [spacings].
 const EARLY: f64 = 4.0;
-/// A share of a gauge's time of arrival that is told [-].
-const TOLD: f64 = 0.1;
+/// A share of a gauge's time of arrival that is reported [-].
+const REPORTED: f64 = 0.1;
 
 /// Gauges so near to the keel that the pressure rises notably before the spray root is there.
 fn early_arrivals(scene: &Scene) -> Vec<String> {
@@ -22,7 +22,7 @@ fn early_arrivals(scene: &Scene) -> Vec<String> {
     let early = |gauge: &Gauge| {
         let share = EARLY * scene.resolution.spacing / gauge.at[0].abs();
         let passed = gauge.on == GaugeFrame::Body && gauge.at[0].abs() < entry.half_breadth;
-        (passed && share > TOLD && share < 1.0).then(|| {
+        (passed && share > REPORTED && share < 1.0).then(|| {
             format!(
                 "gauge `{}` is {} spacings from the keel: the pressure rises up to {EARLY} spacings ahead of the spray root, {:.0} % of \
                  its time of arrival",
@@ -46,14 +46,14 @@ fn feet_of_walls(scene: &Scene) -> Vec<String> {
         let [x, y] = gauge.at;
         gauge.on == GaugeFrame::Fixed && 0.5 * tank.width - x.abs() < near && y + tank.depth < near
     };
-    let told = |gauge: &Gauge| {
+    let warned = |gauge: &Gauge| {
         format!(
             "gauge `{}` is at the foot of a wall: where moving water arrives, weakly compressible water reads 10 to 25 % too much impulse \
              there and a peak that is noise; solver = \"incompressible\" does not",
             gauge.name
         )
     };
-    scene.gauges.iter().filter(at_foot).map(told).collect()
+    scene.gauges.iter().filter(at_foot).map(warned).collect()
 }
 
 /// Gauges and levels in the water that a beach damps (THEORY WA15).
@@ -61,7 +61,7 @@ fn on_beach(scene: &Scene) -> Vec<String> {
     let Some(beach) = scene.beach() else { return Vec::new() };
     let both = scene.symmetry == Symmetry::X;
     let is_damped = |x: f64| if both { x.abs() > beach.from } else { x > beach.from };
-    let told = |what: String| {
+    let warned = |what: String| {
         format!(
             "{what} is on the beach, from x = {} m on, where the water is braked: it shows no wave of the tank",
             significant(beach.from)
@@ -69,8 +69,8 @@ fn on_beach(scene: &Scene) -> Vec<String> {
     };
     let gauges = scene.gauges.iter().filter(|gauge| gauge.on == GaugeFrame::Fixed && is_damped(gauge.at[0]));
     let levels = scene.observe.level.iter().enumerate().filter(|(_, x)| is_damped(**x));
-    let gauges = gauges.map(|gauge| told(format!("gauge `{}`", gauge.name)));
-    gauges.chain(levels.map(|(k, x)| told(format!("observe.level[{k}] = {x} m")))).collect()
+    let gauges = gauges.map(|gauge| warned(format!("gauge `{}`", gauge.name)));
+    gauges.chain(levels.map(|(k, x)| warned(format!("observe.level[{k}] = {x} m")))).collect()
 }
 
 /// Warnings about what gauges read wrongly.
@@ -98,41 +98,41 @@ mod tests {
     use crate::load;
 
     #[test]
-    fn an_early_arrival_is_told() {
-        let told = |at: &str| {
+    fn an_early_arrival_is_reported() {
+        let warned = |at: &str| {
             let gauge = format!("gauges=[{{ name = 'g', at = {at} }}]");
             let warnings = load("wedge_constant", &[gauge]).expect("a scene").warnings;
             warnings.iter().any(|w| w.contains("ahead of the spray root"))
         };
         let slope = 30.0_f64.to_radians().tan();
-        assert!(told(&format!("[0.3, {}]", 0.3 * slope)));
-        assert!(!told(&format!("[2.0, {}]", 2.0 * slope)));
+        assert!(warned(&format!("[0.3, {}]", 0.3 * slope)));
+        assert!(!warned(&format!("[2.0, {}]", 2.0 * slope)));
     }
 
     /// The beach of `wave_maker` begins its length before the right wall.
     #[test]
-    fn a_gauge_on_the_beach_is_told() {
+    fn a_gauge_on_the_beach_is_reported() {
         let scene = load("wave_maker", &[]).expect("a scene").scene;
         let from = scene.beach().expect("a beach").from;
-        let told = |x: f64| {
+        let warned = |x: f64| {
             let sets =
                 [format!("gauges=[{{ name = 'g', on = 'fixed', at = [{x}, -0.05] }}]"), format!("observe.level=[{x}]")];
             let warnings = load("wave_maker", &sets).expect("a scene").warnings;
             ["gauge `g` is on the beach", "observe.level[0]"].map(|words| warnings.iter().any(|w| w.contains(words)))
         };
-        assert_eq!(told(from + 0.1), [true, true]);
-        assert_eq!(told(from - 0.1), [false, false]);
+        assert_eq!(warned(from + 0.1), [true, true]);
+        assert_eq!(warned(from - 0.1), [false, false]);
     }
 
     #[test]
-    fn the_foot_of_a_wall_is_told() {
-        let told = |at: &str, solver: &str| {
+    fn the_foot_of_a_wall_is_reported() {
+        let warned = |at: &str, solver: &str| {
             let gauge = format!("gauges=[{{ name = 'p3', on = 'fixed', at = {at} }}]");
             let warnings = load("dam_break_lobovsky", &[gauge, solver.to_string()]).expect("a scene").warnings;
             warnings.iter().any(|w| w.contains("foot of a wall"))
         };
-        assert!(told("[0.805, -0.297]", "solver=weakly_compressible"));
-        assert!(!told("[0.805, -0.297]", "solver=incompressible"));
-        assert!(!told("[0.805, -0.22]", "solver=weakly_compressible"));
+        assert!(warned("[0.805, -0.297]", "solver=weakly_compressible"));
+        assert!(!warned("[0.805, -0.297]", "solver=incompressible"));
+        assert!(!warned("[0.805, -0.22]", "solver=weakly_compressible"));
     }
 }

@@ -44,16 +44,16 @@ mod tests {
     use crate::load;
 
     #[test]
-    fn a_gauge_at_a_steep_keel_and_a_thin_tip_are_told() {
-        let told = |deadrise: &str, gauge: &str| {
+    fn a_gauge_at_a_steep_keel_and_a_thin_tip_are_reported() {
+        let warned = |deadrise: &str, gauge: &str| {
             let sets = [format!("body.deadrise_deg={deadrise}"), format!("gauges=[{{ name = 'g', {gauge} }}]")];
             let warnings = load("wedge_constant", &sets).expect("a scene").warnings;
             ["cusp", "thinner"].map(|word| warnings.iter().any(|w| w.contains(word)))
         };
-        assert_eq!(told("60", "at = [0.0, 0.0]"), [true, false]);
-        assert_eq!(told("60", "at = [0.0, 0.0], length = 0.1"), [false, false]);
-        assert_eq!(told("60", "at = [0.1, 0.17320508]"), [false, false]);
-        assert_eq!(told("30", "at = [0.0, 0.0]"), [false, false]);
-        assert_eq!(told("70", "at = [0.0, 0.0]"), [true, true]);
+        assert_eq!(warned("60", "at = [0.0, 0.0]"), [true, false]);
+        assert_eq!(warned("60", "at = [0.0, 0.0], length = 0.1"), [false, false]);
+        assert_eq!(warned("60", "at = [0.1, 0.17320508]"), [false, false]);
+        assert_eq!(warned("30", "at = [0.0, 0.0]"), [false, false]);
+        assert_eq!(warned("70", "at = [0.0, 0.0]"), [true, true]);
     }
 }

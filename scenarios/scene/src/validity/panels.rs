@@ -19,7 +19,7 @@ const LEAST_STRAIN_ACROSS: f64 = 0.5;
 /// Largest strain of the beams' theory (BE1) [-].
 const LARGEST_STRAIN: f64 = 0.05;
 
-/// What a panel, or a structure by its modes, bore.
+/// The largest stress of a panel, or of a structure by its modes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StressPeak {
     /// Of the panel; `modes`.
@@ -114,7 +114,7 @@ impl StressPeak {
 /// Results of a panel under a load, and doubts; a structure averages by itself, and its stress is nearly as good as the force.
 ///
 /// `mean`: largest mean of its stress over the time of GE18 [Pa]; what the peak has above it is as short as the noise of the force.
-/// `resonates`: why it vibrates with the water's sound, where it does. What it may bear is said beside, not in place of, how well it is known.
+/// `resonates`: why it vibrates with the water's sound, where it does. What it may carry is stated in addition to how well it is known.
 pub fn panel_results(
     peak: &StressPeak,
     force: Option<Quantity>,
@@ -165,7 +165,7 @@ pub fn panel_results(
 mod tests {
     use super::*;
 
-    /// A panel that bore a stress of 6 MPa.
+    /// A panel with a stress of 6 MPa.
     fn panel() -> StressPeak {
         let (name, value, time) = ("plate".into(), 6e6, 0.016);
         let (reserve_factor, allowed, strain, rupture_strain) = (None, None, None, None);

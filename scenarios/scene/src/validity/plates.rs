@@ -46,7 +46,7 @@ fn thin(scene: &Scene, body: &Body, panel: &Panel) -> Option<String> {
     (both && deflection > MEMBRANE * long).then(|| {
         format!(
             "{} is so thin that {} Pa bend it by {} of its length in plate theory: it will carry its load as a membrane, and \
-             strains may be far beyond what its material bears",
+             strains may be far beyond the limits of its material",
             panel.name,
             significant(pressure),
             significant(deflection / long)

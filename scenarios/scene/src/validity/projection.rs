@@ -69,7 +69,7 @@ pub(crate) fn projection_warnings(scene: &Scene) -> Vec<String> {
     warnings
 }
 
-/// A body that moves with the water, told of it once a step.
+/// A body that moves with the water and exchanges once per step.
 fn one_exchange(scene: &Scene) -> Option<String> {
     let moved = scene.all_bodies().any(|body| body.bends() || body.is_free());
     let (name, holds) = match scene.solver.kind() {

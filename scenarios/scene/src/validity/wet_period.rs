@@ -31,7 +31,7 @@ fn wet_periods(scene: &Scene) -> Vec<(&str, f64)> {
     body.panels.iter().filter_map(|panel| Some((&panel.name[..], of(panel)?))).chain(modal).collect()
 }
 
-/// CO33 of the lowest mode: added mass ρ/k ∫ (φ·n)² ds with k = π/L of the whole length, on so many faces of the surface in water of a
+/// CO33 of the lowest mode: added mass ρ/k ∫ (φ·n)² ds with k = π/L of the whole length, on this number of faces of the surface in water of a
 /// density [kg/m³].
 fn modal_wet_period(modal: &Modes, (faces, density): (f64, f64)) -> f64 {
     let lowest = modal.modes.iter().min_by(|a, b| a.frequency.total_cmp(&b.frequency));

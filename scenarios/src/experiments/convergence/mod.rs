@@ -77,7 +77,7 @@ pub struct Study {
 /// Make a study; `tell` is called before each run with its number, the number of runs, spacing [m] and sound speed [m/s].
 ///
 /// # Errors
-/// The plan is wrong, a run ended early, or the runs cannot be told from each other.
+/// The plan is wrong, a run ended early, or the runs cannot be distinguished.
 pub fn study(plan: &Plan, tell: impl Fn(usize, usize, f64, f64)) -> Result<Study, ExperimentError> {
     let base = run::load(&plan.scene, &plan.sets)?.scene;
     if base.model.is_theory() {
@@ -105,7 +105,7 @@ pub fn study(plan: &Plan, tell: impl Fn(usize, usize, f64, f64)) -> Result<Study
     let fit = fit(&samples).ok_or_else(|| ExperimentError::Input {
         key: "--sound-speeds",
         given: listed(&speeds),
-        expected: "speeds whose effects can be told from each other and from the spacing's".into(),
+        expected: "speeds whose effects can be distinguished from each other and from the spacing's".into(),
     })?;
     for point in &mut points {
         point.error = Some(point.value / fit.extrapolated - 1.0).filter(|e| e.is_finite());

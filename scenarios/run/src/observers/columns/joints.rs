@@ -10,7 +10,7 @@ fn names(scene: &Scene) -> Vec<String> {
     scene.joints.iter().flat_map(|joint| joint.columns()).collect()
 }
 
-/// A joint that broke bears nothing.
+/// A joint that broke carries nothing.
 fn reader(_scene: &Scene) -> Reader {
     Box::new(|frame| {
         let joints = frame.system.joints().into_iter();
