@@ -41,8 +41,8 @@ const ENERGY: Dimensions = [2, 1, -2, 0, 0, 0, 0];
 const FREQUENCY: Dimensions = [0, 0, -1, 0, 0, 0, 0];
 const TURNS: Dimensions = [0, 0, -1, 0, 1, 0, 0];
 
-/// Names of units, each worth `times/over` of SI: two whole numbers keep 5.7 mm at 0.0057 m. Foot, pound and knot by definition.
-const UNITS: [(&str, f64, f64, Dimensions); 61] = [
+/// Names of units, each worth `times/over` of SI: two whole numbers keep 5.7 mm at 0.0057 m. Foot, pound, knot and nautical mile by definition.
+const UNITS: [(&str, f64, f64, Dimensions); 62] = [
     ("m", 1.0, 1.0, LENGTH),
     ("km", 1e3, 1.0, LENGTH),
     ("dm", 1.0, 10.0, LENGTH),
@@ -52,6 +52,7 @@ const UNITS: [(&str, f64, f64, Dimensions); 61] = [
     ("µm", 1.0, 1e6, LENGTH),
     ("in", 254.0, 1e4, LENGTH),
     ("ft", 3048.0, 1e4, LENGTH),
+    ("nmi", 1852.0, 1.0, LENGTH),
     ("kg", 1.0, 1.0, MASS),
     ("g", 1.0, 1e3, MASS),
     ("mg", 1.0, 1e6, MASS),
