@@ -2,11 +2,12 @@
 
 use scene::source::{LARGEST_NUMBER, word};
 use settings::{Problem, require};
-use water_entry::ditching::{Aeroplane, Form, Fuselage, FuselageError, Hull, Landing, OF_LANDINGS, Station};
+use water_entry::ditching::{Aeroplane, Fuselage, FuselageError, Hull, Landing, OF_LANDINGS};
 
 use super::aeroplane::aeroplane;
-use super::model::{LandingKeys, Scene, StationKeys};
+use super::model::{LandingKeys, Scene};
 use super::sea;
+use super::stations::station;
 
 /// Most steps of a run.
 const MOST_STEPS: f64 = 1e6;
@@ -90,19 +91,6 @@ fn accelerometers(scene: &Scene) -> Result<(), Problem> {
         require(keys.bandwidth <= highest, &format!("accelerometers[{k}].bandwidth"), keys.bandwidth, expected)?;
     }
     Ok(())
-}
-
-fn station(index: usize, keys: &StationKeys) -> Result<Station, Problem> {
-    let key = |name: &str| format!("stations[{index}].{name}");
-    let form = match (keys.radius, keys.deadrise_deg) {
-        (Some(radius), None) => Form::Radius(radius),
-        (None, Some(deadrise)) => Form::DeadriseDeg(deadrise),
-        (Some(_), Some(given)) => {
-            return Err(Problem::new(&key("deadrise_deg"), given, "a radius or a deadrise, not both"));
-        }
-        (None, None) => return Err(Problem::missing(&key("radius"), "a radius or deadrise_deg")),
-    };
-    Ok(Station { x: keys.x, keel: keys.keel, breadth: keys.breadth, form })
 }
 
 /// The hull of a landing.

@@ -25,6 +25,7 @@ mod sea_keys;
 mod sections;
 mod series;
 mod side_views;
+mod stations;
 
 use std::fs;
 use std::path::Path;
@@ -43,7 +44,8 @@ use water_entry::ditching::Wing;
 
 pub use landed::{Landed, Structure, Summary, follow};
 pub use loads::{Accelerometer, PartLoad, StationLoad};
-pub use model::{AeroplaneKeys, LandingKeys, Scene, StationKeys, schema};
+pub use model::{AeroplaneKeys, LandingKeys, Scene, schema};
+pub use stations::StationKeys;
 pub use parts::{AccelerometerKeys, BeamKeys, MassKeys, NacelleKeys, PanelKeys, SurfaceKeys};
 pub use sea::Sea;
 pub use sea_keys::{SeaKeys, TouchdownKey, WavePart};

@@ -10,6 +10,7 @@ use water_entry::ditching::{Water, Wing};
 
 use super::parts::{AccelerometerKeys, BeamKeys, MassKeys, NacelleKeys, PanelKeys, SurfaceKeys};
 use super::sea_keys::SeaKeys;
+use super::stations::StationKeys;
 
 /// The schema of a landing's file.
 pub fn schema() -> &'static Schema {
@@ -123,23 +124,6 @@ pub struct AeroplaneKeys {
     pub radius_of_gyration: f64,
     /// Centre of mass, from the nose and over the body axis [m].
     pub center_of_mass: [f64; 2],
-}
-
-/// An item of `[[stations]]`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct StationKeys {
-    /// Distance from the nose along the body axis [m].
-    pub x: f64,
-    /// Height of the keel over the body axis [m].
-    pub keel: f64,
-    /// Breadth between the edges at which the water separates [m].
-    pub breadth: f64,
-    /// Radius of a section that is an arc [m].
-    #[schemars(extend("x-default" = "required unless deadrise_deg"))]
-    pub radius: Option<f64>,
-    /// Deadrise of a section that is a wedge [deg].
-    #[schemars(extend("x-default" = "required unless radius"))]
-    pub deadrise_deg: Option<f64>,
 }
 
 mod usual {

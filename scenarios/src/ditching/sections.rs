@@ -6,11 +6,12 @@ use run::{RunError, RunOptions, load_text, run};
 use scene::SceneError;
 use scene::vocabulary::Status;
 use serde::Serialize;
-use water_entry::ditching::{Form, Hull, ImpactingPart, SectionLoad};
+use water_entry::ditching::{Hull, ImpactingPart, SectionLoad};
 
 use super::checked::hull;
 use super::landed::Landed;
 use super::model::Scene;
+use super::stations::shape_keys;
 
 /// Particle spacings over the breadth of a section, at least.
 const SPACINGS: f64 = 200.0;
@@ -103,10 +104,7 @@ pub fn section_scenes(scene: &Scene, landed: &Landed, count: usize) -> Vec<Secti
 fn section_scene(scene: &Scene, entry: &ImpactingPart, time: f64, hull: &Hull) -> SectionScene {
     let (x, draught, speed) = (entry.at.x, entry.at.draught, entry.at.speed);
     let breadth = hull.fuselage().breadth(x);
-    let shape = match hull.form(x) {
-        Form::Radius(radius) => format!("shape = \"arc\"\nradius = {radius:?}"),
-        Form::DeadriseDeg(deadrise) => format!("shape = \"wedge\"\ndeadrise_deg = {deadrise:?}"),
-    };
+    let shape = shape_keys(hull.form(x));
     let name = format!("{}_{x:04.1}m", scene.name).replace('.', "p");
     let SectionLoad { slam, area, .. } = hull.at(x, draught);
     let (time_s, by_theory) =
