@@ -13,14 +13,17 @@ pub enum Verdict {
     NotResolved,
     /// Nothing known speaks against it, and nothing gives a band: no theory or chart is of such a flow.
     NoBand,
+    /// It was found by a formula, not by this run.
+    Estimated,
 }
 
 /// Each verdict: its name in files, its words on pages.
-const TABLE: [(Verdict, &str, &str); 4] = [
+const TABLE: [(Verdict, &str, &str); 5] = [
     (Verdict::Resolved, "resolved", "resolved"),
     (Verdict::Acoustic, "acoustic", "depends on the speed of sound"),
     (Verdict::NotResolved, "not_resolved", "not resolved"),
     (Verdict::NoBand, "no_band", "no band known"),
+    (Verdict::Estimated, "estimated", "estimated by a formula"),
 ];
 
 impl Verdict {
