@@ -17,6 +17,8 @@ pub struct Observe {
     pub volume: bool,
     /// Columns kinetic_J_per_m, potential_J_per_m and elastic_J_per_m: energies of the water (CO28).
     pub energy: bool,
+    /// Column speed_m_per_s: largest speed of a particle.
+    pub speed: bool,
 }
 
 /// What a run reports beside its curves.
