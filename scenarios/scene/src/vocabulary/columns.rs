@@ -68,6 +68,7 @@ pub fn column_title(name: &str) -> ColumnTitle {
         ("volume_m2", _) => new("Volume of the water per metre of span".into(), "", "m²", 1.0),
         ("kinetic_J_per_m", _) => new("Energies of the water".into(), "kinetic", "J/m", 1.0),
         ("potential_J_per_m", _) => new("Energies of the water".into(), "potential", "J/m", 1.0),
+        ("mechanical_J_per_m", _) => new("Energies of the water".into(), "sum", "J/m", 1.0),
         ("elastic_J_per_m", _) => new("Energies of the water".into(), "elastic", "J/m", 1.0),
         _ => new(name.into(), "", "", 1.0),
     }
