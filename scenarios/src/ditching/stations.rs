@@ -20,12 +20,16 @@ pub struct StationKeys {
     /// Deadrise of a section that is a wedge [deg].
     #[schemars(extend("x-default" = "required unless radius"))]
     pub deadrise_deg: Option<f64>,
+    /// Height over breadth of a wedge [-].
+    #[schemars(extend("x-default" = "from deadrise_deg"))]
+    pub slenderness: Option<f64>,
 }
 
 /// A station of its keys.
 pub(super) fn station(index: usize, keys: &StationKeys) -> Result<Station, Problem> {
     let key = |name: &str| format!("stations[{index}].{name}");
     let form = match (keys.radius, keys.deadrise_deg) {
+        (None, None) if keys.slenderness.is_some() => Form::Slenderness(keys.slenderness.unwrap_or_default()),
         (Some(radius), None) => Form::Radius(radius),
         (None, Some(deadrise)) => Form::DeadriseDeg(deadrise),
         (Some(_), Some(given)) => {
@@ -40,6 +44,9 @@ pub(super) fn station(index: usize, keys: &StationKeys) -> Result<Station, Probl
 pub(super) fn shape_keys(form: Form) -> String {
     match form {
         Form::Radius(radius) => format!("shape = \"arc\"\nradius = {radius:?}"),
+        Form::Slenderness(ratio) => {
+            format!("shape = \"wedge\"\ndeadrise_deg = {:?}", (2.0 * ratio).atan().to_degrees())
+        }
         Form::DeadriseDeg(deadrise) => format!("shape = \"wedge\"\ndeadrise_deg = {deadrise:?}"),
     }
 }

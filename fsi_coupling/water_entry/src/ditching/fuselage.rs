@@ -30,6 +30,8 @@ pub enum Form {
     Radius(f64),
     /// A wedge of this deadrise [deg].
     DeadriseDeg(f64),
+    /// A wedge of this height over its breadth [-].
+    Slenderness(f64),
 }
 
 /// A section at its place.
@@ -81,6 +83,7 @@ impl Form {
         match self {
             Form::Radius(radius) => Section::arc(radius, breadth),
             Form::DeadriseDeg(deadrise) => Section::wedge(deadrise, breadth),
+            Form::Slenderness(ratio) => Section::wedge((2.0 * ratio).atan().to_degrees(), breadth),
         }
     }
 
