@@ -3,7 +3,8 @@
 use fsi_coupling::{Motion, Outline};
 use sph_core::RefinementZone;
 
-use crate::{Entry, Scene, auto_fine_zone};
+use crate::auto::auto_fine_zone;
+use crate::{Entry, Scene};
 
 /// Thickness of the fine layer beside the body [spacings].
 const LAYER: f64 = 8.0;

@@ -52,8 +52,8 @@ mod unusual;
 pub mod validity;
 pub mod vocabulary;
 
-pub use auto::{auto_fine_zone, auto_reach, auto_sound_speed, fastest_speed};
-pub use bottom::{Bottom, LEAST_DEADRISE_DEG};
+pub use auto::fastest_speed;
+pub use bottom::Bottom;
 pub use bounded_text::read_text;
 pub use cost::{core_seconds, cost_of_step, step_at_start};
 pub use embedded::{contents, texts};
@@ -61,7 +61,7 @@ pub use error::SceneError;
 pub use estimate::{BYTES_PER_PARTICLE, memory_estimate, particle_estimate};
 pub use follow::{Follower, with_end};
 pub use fsi_coupling::{PanelEnd, Shape};
-pub use impact::{Entry, FLAT_CONTACT, jet_reach};
+pub use impact::{Entry, jet_reach};
 pub use keys::{
     Axis, Beach, Block, Body, Compare, Coupling, CouplingScheme, Freedom, Gauge, GaugeFrame, Modes, Motion, Moved,
     NaturalMode, Norm, Observe, Oscillation, Panel, QuantityOfInterest, Report, Resolution, Scene, Similarity,
@@ -80,19 +80,14 @@ pub(crate) use particles_tests::{load, load_text};
 pub use resolve::MOST_ROWS;
 pub use source::apply_set;
 pub use spelling::nearest;
-pub use sph_core::{Kernel, Slip as WallSlip};
+pub use sph_core::Kernel;
 pub use unusual::Unusual;
-pub use validity::air::LEAST_HALF_BREADTH;
-pub use validity::compressibility::{
-    ACOUSTIC_REACH, LARGEST_COMPRESSIBILITY_ERROR, LEAST_SOUND_RATIO, compressibility_error,
-    known_compressibility_error, sound_speed_for,
-};
+pub use validity::compressibility::{compressibility_error, known_compressibility_error};
 pub use validity::exchange::{ExchangeRatio, panel_exchanges};
-pub use validity::first_contact::{LEAST_GAP, START_GAP};
 pub use validity::limits::{limit_of_forces, presses_on_walls};
 pub use validity::projection::share_of_walls;
 pub use validity::resolution::LEAST_DRAUGHT;
-pub use validity::springs::{longest_spring_step, spec as sprung_spec};
+pub use validity::springs::spec as sprung_spec;
 pub use validity::warnings;
 pub use validity::waves::{early_end as waves_end_early, full_waves_by};
 pub use validity::wet_period::longest_step;

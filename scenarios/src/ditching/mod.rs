@@ -45,12 +45,12 @@ use water_entry::ditching::Wing;
 pub use landed::{Landed, Structure, Summary, follow};
 pub use loads::{Accelerometer, PartLoad, StationLoad};
 pub use model::{AeroplaneKeys, LandingKeys, Scene, schema};
-pub use stations::StationKeys;
 pub use parts::{AccelerometerKeys, BeamKeys, MassKeys, NacelleKeys, PanelKeys, SurfaceKeys};
 pub use sea::Sea;
 pub use sea_keys::{SeaKeys, TouchdownKey, WavePart};
 pub use sections::{SectionError, SectionResult, SectionScene, section_scenes};
 pub use series::Series;
+pub use stations::StationKeys;
 
 static LANDINGS: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/ditching");
 
