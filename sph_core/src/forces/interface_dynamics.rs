@@ -7,6 +7,7 @@ use crate::forces::still_pressure::StillPressure;
 use crate::forces::wall_state::extrapolate_to_walls;
 use crate::forces::{Forces, PairTerms, gather_fluid_forces, gather_wall_forces};
 use crate::interactions::geometry::kernel_and_gradient;
+use crate::interactions::pair::TOUCHED;
 use crate::kernel::{Shape, TargetSum};
 use crate::scheme::Flow;
 use crate::system::ParticleSystem;
@@ -43,7 +44,7 @@ impl TargetSum for PressureSensitivities<'_> {
             sum.arm = [sum.arm[0] + share * dx, sum.arm[1] + share * dy];
             sum.push = [sum.push[0] + b.volume * slope * dx, sum.push[1] + b.volume * slope * dy];
         }
-        if weight < 1e-9 {
+        if weight < TOUCHED {
             return PressureSensitivity::default(); // as in WA3: no pressure without a fluid in reach
         }
         PressureSensitivity { arm: sum.arm.map(|a| a / weight), ..sum }

@@ -18,7 +18,7 @@ use crate::simd::{LANES, SimdReal, Task};
 pub(crate) trait Gather: Sync {
     /// A target's sum.
     type Sum: Send;
-    /// Sums of the targets from `first` on, as many as an `R` is simd.
+    /// The sums of the targets that an `R` holds, beginning with `first`.
     fn gather<R: SimdReal, K: Shape, D: PairDissipation>(&self, first: usize, zero: R) -> [Self::Sum; LANES];
 }
 

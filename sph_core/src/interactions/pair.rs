@@ -1,4 +1,4 @@
-//! The pair physics: one readable page. Target a, neighbour b; everything per metre of span.
+//! The pair physics: each equation once, for one target or four. Target a, neighbour b; everything per metre of span.
 //!
 //! Each function gathers one target's sum over its neighbours, or those of several targets side by side
 //! ([`crate::simd`]). Forces between fluid and wall come from one function with the roles swapped, so that action equals
@@ -201,7 +201,7 @@ impl<R: SimdReal> Extrapolated<R> {
 }
 
 /// Least Σ V W [-] that is a neighbourhood to extrapolate from.
-const TOUCHED: f64 = 1e-9;
+pub(crate) const TOUCHED: f64 = 1e-9;
 
 /// WA3 (Adami, Hu & Adams 2012): pressure at a wall particle that moves with acceleration `acceleration`;
 /// the pressure gradient beside it is ρ(g − a_w).

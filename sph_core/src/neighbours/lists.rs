@@ -134,8 +134,7 @@ impl Lists {
         self.cluster(k).iter().filter(move |e| e.bits() & bit != 0 && e.index() != own).map(|e| e.index())
     }
 
-    /// What the targets from `first` on, as many as an `R` is simd, read of all that any of them may meet. Targets that
-    /// are points too meet themselves.
+    /// The neighbours of the targets that an `R` holds, beginning with `first`. Targets that are points too meet themselves.
     #[inline(always)]
     pub(crate) fn around<'a, R: SimdReal, T: Splat>(
         &'a self,

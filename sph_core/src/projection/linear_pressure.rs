@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use crate::interactions::geometry::pair_geometry;
+use crate::interactions::pair::TOUCHED;
 use crate::kernel::{Shape, TargetSum};
 use crate::projection::lattice::Lattice;
 use crate::system::ParticleSystem;
@@ -16,8 +17,6 @@ const STILL: [f64; 2] = [0.25, 0.5];
 /// Shares of Σ V W beside a flat wall [-]: from the first on the water near air counts as still water, from the second on in full.
 const FEW: f64 = 0.6;
 const MANY: f64 = 0.9;
-/// Least Σ V W [-] that is a neighbourhood, as in WA3.
-const TOUCHED: f64 = 1e-9;
 
 /// What PR19 reads of a wall particle; no more than its outline where no water is near.
 #[derive(Clone, Copy, Debug, Default)]

@@ -1,7 +1,8 @@
 //! The weakly compressible scheme (THEORY WC2–WC12, WA3–WA5): pressures follow from densities by Tait's law, and run through the water as
 //! sound.
 //!
-//! Read in this order: `Wcsph::advance`, [`settings`](Settings), [`eos`], `updates`, `shifting`, `step_limit`.
+//! Read in this order: `Wcsph::advance`, [`settings`](Settings), [`eos`], `updates`, `shifting`, `step_limit`; then `choice`, which takes
+//! `split_explicit` (WC22) instead where a step has several acoustic steps, as for rigid wedges.
 
 mod choice;
 pub mod eos;

@@ -43,7 +43,9 @@ pub fn choose(of_particles: &[Scene], want: QuantityOfInterest, within: f64) -> 
     let model = of_particles[0].model;
     let known = reason(&theories);
     let (name, within, want) = (model.name(), per_cent(within), want.words());
-    let why = format!("{name}: nothing cheaper is within {within} for {want}, nor is this known to be: {known}");
+    let why = format!(
+        "{name}: no model is known to be within {within} for {want}, so the scene's own particles run: {known}"
+    );
     Choice { model, scene: 0, spacing: false, why }
 }
 

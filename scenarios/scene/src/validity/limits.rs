@@ -11,7 +11,8 @@ use crate::legacy::{extrapolates, repulsive_walls};
 /// Largest g D/V² of a body at a given speed in graded, incompressible water, of its draught D at the end [-].
 const LARGEST_GAIN: f64 = 0.3;
 
-/// Why the forces of a scene are not resolved, where that is known; what is doubtful in `check`, and the verdict of the results.
+/// The reason why no force of this scene can be trusted, where one is known before the run. `check` shows it as a warning; results take their
+/// verdict from it.
 pub fn limit_of_forces(scene: &Scene) -> Option<String> {
     if scene.body.is_none() || scene.model.is_theory() {
         return None;

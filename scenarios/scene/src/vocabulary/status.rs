@@ -10,7 +10,7 @@ pub enum Status {
     /// Reached its end time; nothing speaks against its results.
     #[default]
     Completed,
-    /// Reached its end time; `doubts` says which results are not to be relied on.
+    /// Reached its end time; `doubts`, or of a landing `message`, says which results are not to be relied on.
     CompletedWithDoubts,
     /// Reached its end time; a panel is beyond its limits.
     BeyondAllowable,

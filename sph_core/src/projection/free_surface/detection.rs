@@ -159,7 +159,7 @@ impl SurfaceDetection {
         }
     }
 
-    /// PR5: exposure of every particle, once surveyed.
+    /// PR5: how much air each particle feels, 1 beside air, 0 far from it. Call after `detect`.
     pub(crate) fn set_indicator(&mut self, system: &ParticleSystem, operators: &Operators, lattice: &Lattice) {
         let ratio = system.domain.fluid.smoothing_ratio;
         let p = &system.particles;

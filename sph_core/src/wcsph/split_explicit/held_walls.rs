@@ -8,14 +8,12 @@ use super::held_pairs::Row;
 use crate::forces::interface_dynamics::PressureSensitivity;
 use crate::interactions::geometry::{MeanScale, PairConstants, PairGeometry, ScaleRule};
 use crate::interactions::packed_particle::PackedParticle;
+use crate::interactions::pair::TOUCHED;
 use crate::kernel::{Shape, WithKernel};
 use crate::memory::of_vector;
 use crate::parallel;
 use crate::system::ParticleSystem;
 use crate::walls::Walls;
-
-/// Least Σ V W [-] that is a neighbourhood to extrapolate from (WA3).
-const TOUCHED: f64 = 1e-9;
 
 /// A wall particle beside a fluid particle.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
