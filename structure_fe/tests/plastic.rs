@@ -297,7 +297,7 @@ fn envelopes_hold_the_extremes_and_their_times() {
 }
 
 #[test]
-fn what_cannot_yield_says_so() {
+fn what_cannot_yield_is_refused() {
     let bad = |yield_stress, hardening_modulus| {
         beam(2).with_plasticity(Plasticity { yield_stress, hardening_modulus }).unwrap_err()
     };

@@ -176,7 +176,7 @@ fn welds_and_hinges_break() {
 }
 
 #[test]
-fn what_cannot_break_says_so() {
+fn what_cannot_break_is_refused() {
     let build = |held: Supports, rule: Integration| Dynamics::new(beam(3), held, rule, Damping::default()).unwrap_err();
     let mut held = supports("cantilever", 3);
     held.breakable(2, Rupture::FibreStrain(0.01));

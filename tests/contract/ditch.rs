@@ -41,7 +41,7 @@ fn a_landing_writes_its_files() {
 
 /// On waves: phase of the first contact in summary and report, elevation below the centre of mass in the series; the resolved landing is the same.
 #[test]
-fn a_landing_on_waves_says_where_it_touched() {
+fn a_landing_on_waves_reports_where_it_touched() {
     let place = Workplace::new();
     let sea = "sea={height=1.0,length=100.0,heading_deg=180,touchdown=\"up_slope\"}";
     let ended = place.run(&[&SHORT[..], &["--set", sea]].concat());
@@ -66,7 +66,7 @@ fn a_landing_on_waves_says_where_it_touched() {
 
 /// What a file assumes stands with its results, and so does a fuselage that bends too far for linear bending.
 #[test]
-fn a_landing_says_what_it_assumes() {
+fn a_landing_reports_its_assumptions() {
     let place = Workplace::new();
     let sets = ["landing.end=1.8", "assumptions=[\"keel < line & mass\"]", "beam.stiffness=[8e6]"];
     let sets: Vec<&str> = sets.iter().flat_map(|set| ["--set", set]).collect();

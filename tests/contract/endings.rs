@@ -53,7 +53,7 @@ fn an_interrupted_run_finishes_its_files() {
 /// A run that breaks down numerically (Verlet's leapfrog without its Euler step, LE3) says which particle, where and when; its
 /// log is complete, shows the state that broke, and says the same.
 #[test]
-fn a_run_that_breaks_down_says_what_where_and_when() {
+fn a_run_that_breaks_down_reports_what_where_and_when() {
     let place = Workplace::new();
     let leapfrog = ["--set", "fluid.integrator=verlet", "--set", "fluid.verlet_correction_every=0"];
     let sets = [&["run", "wedge_constant", "--set", "resolution.spacing=0.1"], &leapfrog[..]].concat();

@@ -61,7 +61,7 @@ fn a_stress_beyond_the_allowable_one_is_the_status() {
 
 /// A run ends where the first end of a panel breaks off, and status, message, doubts and page say where, when and at which strain.
 #[test]
-fn a_run_ends_at_the_first_rupture_and_says_so() {
+fn a_run_ends_at_the_first_rupture_and_reports_it() {
     let place = Workplace::new();
     let sets = ["--set", "body.panels[0].rupture_strain=3e-4", "--set", "resolution.spacing=0.012"];
     let ended = place.run(&[&["run", "flexible_wedge"][..], &sets, &["--out", "out"]].concat());

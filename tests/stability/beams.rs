@@ -140,8 +140,8 @@ fn light_panels_on_a_light_frame_and_a_light_baffle_hold() {
     }
 }
 
-/// CO12 with two wet faces: a baffle in still water, which has nothing to do but stand. Explicit coupling is quiet at 0.85 of the
-/// estimate's limit and shakes at 1.3.
+/// CO12 with two wet faces: a baffle in still water, at rest. Explicit coupling is stable at 0.85 of the
+/// estimate's limit and unstable at 1.3.
 #[test]
 fn a_plate_wet_on_both_sides_has_twice_the_water() {
     let (spacing, thickness) = (0.006, 0.012);

@@ -25,7 +25,7 @@ fn wildest(mass: f64, spacing: f64) -> f64 {
 
 /// Weak coupling moves the body once a step, and wall pressures contain ρ a_wall (THEORY WA3) of the step before: the
 /// added mass of about half a layer of particles, ρ b Δx/2, is explicit. Failure: a box of a seventeenth of the water's
-/// density, m = 0.4 ρ b Δx, shakes itself at thousands of g, and nothing but the curves says so. Remedy: m ≥ 0.6 ρ b Δx
+/// density, m = 0.4 ρ b Δx, oscillates at thousands of g, which the curves alone show. Remedy: m ≥ 0.6 ρ b Δx
 /// is smooth, so halve the spacing.
 #[test]
 fn a_box_lighter_than_half_a_layer_of_particles_breaks_down() {

@@ -1,5 +1,5 @@
-//! Explicit coupling with a projection: the water answers at once with all of its added mass, so a body that is lighter than
-//! that shakes itself to pieces, whatever the step (THEORY CO11, CO25).
+//! Explicit coupling with a projection: the water reacts at once with all of its added mass, so a body that is lighter than
+//! that is unstable, whatever the step (THEORY CO11, CO25).
 
 use evidence::systems::system;
 

@@ -92,7 +92,7 @@ fn unrest(sets: &[&str]) -> f64 {
 }
 
 /// The Riemann form's resistance is quadratic in the closing speed (THEORY WC9): water that has lost its lattice, at
-/// millimetres a second, feels next to none. Failure: six seconds on it still churns, as water does under density
+/// millimetres a second, has next to none. Failure: six seconds later it still moves, as water does under density
 /// diffusion alone. Remedy: a viscosity that is linear, artificial (WC6, the default) or real (WC7).
 #[test]
 fn still_water_does_not_come_to_rest_without_a_linear_viscosity() {

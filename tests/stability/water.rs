@@ -21,7 +21,7 @@ fn a_step_above_the_acoustic_limit_breaks_down() {
 }
 
 /// Mean kinetic energy of a tank of still water from 1.5 to 2 s [J/m].
-fn churn(sets: &[&str]) -> f64 {
+fn kinetic_energy(sets: &[&str]) -> f64 {
     let fine_zone = "resolution.fine_zone=[0.2, 0.2]";
     let mut tank = system("hydrostatic_tank", &[&["resolution.spacing=0.025", fine_zone], sets].concat());
     let mut kinetic = Vec::new();
@@ -35,13 +35,13 @@ fn churn(sets: &[&str]) -> f64 {
 }
 
 /// Where neighbours differ in size, p_a + p_b does not balance gravity exactly. Failure: water that does not start level, here by 0.1
-/// mm, is not held (THEORY WC28), and with cells that grow by 15 % a layer it churns at some centimetres a second. Remedies: a growth of 5 %;
+/// mm, is not held (THEORY WC28), and with cells that grow by 15 % a layer it moves at some centimetres a second. Remedies: a growth of 5 %;
 /// a level surface.
 #[test]
-fn water_graded_by_fifteen_percent_that_does_not_start_level_churns() {
+fn water_graded_by_fifteen_percent_that_does_not_start_level_moves() {
     let not_level = ["resolution.growth=1.15", "tank.surface_amplitude=0.0001"];
-    let (fast, slow) = (churn(&not_level), churn(&["resolution.growth=1.05", not_level[1]]));
-    let level = churn(&not_level[..1]);
+    let (fast, slow) = (kinetic_energy(&not_level), kinetic_energy(&["resolution.growth=1.05", not_level[1]]));
+    let level = kinetic_energy(&not_level[..1]);
     println!("{fast:.3e} J/m with 15 % a layer, {slow:.3e} J/m with 5 %, {level:.3e} J/m level");
     assert!(fast > 5.0 * slow && fast > 5.0 * level, "{fast:.3e}, {slow:.3e}, {level:.3e} J/m");
 }

@@ -96,7 +96,7 @@ fn the_three_ways_to_agree_find_the_same_accelerations() {
 
 /// A step that does not agree in time is an error that says when and by how much.
 #[test]
-fn a_step_that_does_not_agree_says_so() {
+fn a_step_that_does_not_converge_is_an_error() {
     let sets = ["body.mass=4", "body.position=[0.05, -0.2]", "coupling.scheme=iqn_ils", "coupling.max_iterations=2"];
     let refused = build::build(&scene("floating_box", &sets)).map(|_| ());
     let Err(CouplingError::NotConverged { iterations, residual, tolerance, time }) = refused else {

@@ -25,7 +25,7 @@ fn bad_steps_are_refused_and_change_nothing() {
         said(1e-3, &short, &mut forces),
         format!("positions: given {} values, expected {count}, one for each node", count - 1)
     );
-    assert!(said(1e-3, &good, &mut forces[1..]).starts_with(&format!("nodal forces of {} values", count - 1)));
+    assert!(said(1e-3, &good, &mut forces[1..]).starts_with(&format!("nodal forces: given {} values", count - 1)));
     let turned = with(|n| n.rotation = vec![0.0; n.position.len()]);
     assert_eq!(
         said(1e-3, &turned, &mut forces),

@@ -130,7 +130,7 @@ fn clamped_faces_bend_much_as_coupled_computations_say() {
 
 /// More modes, orders and steps change little; a face so soft that it runs away from the water is refused.
 #[test]
-fn the_modal_solution_converges_and_knows_its_end() {
+fn the_modal_solution_converges_and_has_an_end() {
     let deflection = |modes: usize, steps: usize| {
         let mut wedge = aluminium(30.0, 0.04, Held::Clamped);
         (wedge.modes, wedge.steps) = (modes, steps);

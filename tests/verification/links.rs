@@ -147,7 +147,7 @@ fn a_box_that_lands_on_the_floor_lies_there() {
 
 /// Boxes of other breadths, masses, tilts and spacings: thrown up or broken down with a film of one layer (`contact.gap = 1`).
 #[test]
-fn no_box_that_lands_is_thrown_up() {
+fn no_box_that_lands_is_ejected() {
     let cases = [(250.0, 0.05, 0.0), (400.0, 0.05, 0.0), (250.0, 0.05, 5.0), (400.0, 0.033, 12.0), (400.0, 0.03, 0.0)];
     for (mass, spacing, angle) in cases {
         let text = format!(

@@ -120,7 +120,7 @@ fn pressures_of_formulas_have_the_part_at_rest() {
 /// Where the flow of a free drop begins makes no difference while the chines are dry: an entry begins it at a sixth of the draught of wet chines,
 /// here it begins at a thirtieth. With wet chines both stay near: their steps, and so their instants of separation, differ.
 #[test]
-fn a_free_drop_forgets_where_its_flow_begins() {
+fn a_free_drop_does_not_depend_on_where_its_flow_begins() {
     let (deadrise_deg, breadth, mass, gravity, density, speed) = (30.0_f64, 0.5, 60.0, 9.81, 1000.0, 4.0);
     let wet = 0.5 * breadth * deadrise_deg.to_radians().tan() * std::f64::consts::FRAC_2_PI;
     let section = Section::wedge(deadrise_deg, breadth).expect("a section");

@@ -25,9 +25,9 @@ fn a_shove_under_water_closes_momentum_to_rounding() {
     assert!(velocity(&system)[0] < 0.35, "the water takes its share");
 }
 
-/// A box afloat at its draught feels no jump at the start, and stays.
+/// A box afloat at its draught has no jump of its force at the start, and stays.
 #[test]
-fn a_box_at_its_draught_is_not_shaken_at_the_start() {
+fn a_box_at_its_draught_does_not_move_at_the_start() {
     let mut system = system("floating_box", &[PROJECTION, "fluid.cfl=0.2"]);
     let (mut wildest, mut steps) = (0.0_f64, 0);
     advance(&mut system, 0.1, |s| {

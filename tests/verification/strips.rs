@@ -26,7 +26,7 @@ fn mismatch(floor: &Floor) -> f64 {
 /// They differ by what the step does not resolve, and less than half as much at half the step, whatever the strip weighs
 /// (20 layers of water; ρ_s t/(ρ L) = 1, 0.1, 0.01).
 #[test]
-fn the_water_sees_the_accelerations_that_the_strip_has() {
+fn the_water_has_the_accelerations_of_the_strip() {
     for (ratio, most) in [(1.0, 0.025), (0.1, 0.07), (0.01, 0.25)] {
         let found = [0.6, 0.3, 0.15].map(|courant| mismatch(&Floor { courant, ..Floor::still(ratio, 20) }));
         println!("ratio {ratio}: {found:.4?}");

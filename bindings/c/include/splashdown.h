@@ -396,7 +396,7 @@ enum splashdown_status splashdown_time(const struct splashdown_element *element,
 enum splashdown_status splashdown_fluid_dt(const struct splashdown_element *element, double *dt);
 
 /**
- * End the run: write summary and report where splashdown_record asked for them. The element is consumed, also after an error.
+ * End the run: write summary and report to the folder of splashdown_record. The element is consumed, also after an error.
  */
 enum splashdown_status splashdown_finish(struct splashdown_element *element);
 

@@ -1,4 +1,4 @@
-//! The border that no panic crosses, and the message of the last error.
+//! Functions of the interface: a panic in one is an error of its caller; the message of the last error.
 
 use std::any::Any;
 use std::cell::RefCell;

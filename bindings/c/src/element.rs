@@ -1,4 +1,4 @@
-//! Phase four: the element at work.
+//! Phase four: steps, state and end of the element.
 
 use fsi_coupling::embed::{HostNodes, Snapshot};
 use run::host::HostedRun;
@@ -77,7 +77,7 @@ impl Element {
     }
 
     /// They are computed again when they are needed.
-    pub fn forget_bytes(&mut self) {
+    pub fn clear_bytes(&mut self) {
         self.bytes = None;
     }
 }
@@ -215,7 +215,7 @@ pub unsafe extern "C" fn splashdown_fluid_dt(element: *const splashdown_element,
     guarded(|| ELEMENTS.with(element, |element| unsafe { buffers::write_one("dt", element.run.fluid_dt()?, dt) }))
 }
 
-/// End the run: write summary and report where splashdown_record asked for them. The element is consumed, also after an error.
+/// End the run: write summary and report to the folder of splashdown_record. The element is consumed, also after an error.
 #[unsafe(no_mangle)]
 pub extern "C" fn splashdown_finish(element: *mut splashdown_element) -> splashdown_status {
     guarded(|| {

@@ -33,7 +33,7 @@ pub unsafe extern "C" fn splashdown_state_write(
             buffers::expect_room("buffer, bytes", length, bytes.len())?;
             // SAFETY: not NULL, and of `length` bytes by the contract of the caller.
             unsafe { buffers::write(bytes, buffer) };
-            element.forget_bytes();
+            element.clear_bytes();
             Ok(())
         })
     })

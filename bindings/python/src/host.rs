@@ -61,7 +61,7 @@ pub struct Contribution {
     fluid_steps: u32,
     /// Longest step that the water could take next [s].
     fluid_dt: f64,
-    /// Longest next step of a host that takes the force as it comes [s], an estimate; infinite where it is unknown.
+    /// Longest next step of a host with explicit coupling [s], an estimate; infinite where it is unknown.
     host_dt: f64,
     /// Energy given to the nodes [J/m].
     work: f64,

@@ -11,12 +11,12 @@ use crate::geometry::polygon::bounding_box;
 pub struct AddedMass {
     /// Half a layer of water over the mass it moves with [-]: from about 1 on no step of the host is short enough for an
     /// explicit exchange. The worst node's, or that of all masses together.
-    pub row: f64,
+    pub layer: f64,
     /// The node that it is the worst of; none: all masses together, since some wet node has none of its own.
     pub node: Option<usize>,
-    /// All the water that the surface can move over the mass it moves with [-]: below 1 any step will do.
+    /// All the water that the surface can move over the mass it moves with [-]: below 1 any step is stable.
     pub all: f64,
-    /// Longest step of an explicit exchange [s]; infinite where any will do, 0 where none.
+    /// Longest step of an explicit exchange [s]; infinite where any is stable, 0 where none is.
     pub host_dt: f64,
 }
 
@@ -36,16 +36,16 @@ impl AddedMass {
             wet[b.node] += half;
         }
         let of = |mass: f64, length: f64, node: Option<usize>| {
-            let row = 0.5 * spec.water.density * spec.spacing * length / mass;
+            let layer = 0.5 * spec.water.density * spec.spacing * length / mass;
             let all = 0.25 * PI * spec.water.density * breadth * length / mass;
             let sound = spec.water.density * spec.speed_of_sound() * length / mass;
-            let host_dt = if all + row < 1.0 { f64::INFINITY } else { ((1.0 - row) / sound).max(0.0) };
-            AddedMass { row, node, all, host_dt }
+            let host_dt = if all + layer < 1.0 { f64::INFINITY } else { ((1.0 - layer) / sound).max(0.0) };
+            AddedMass { layer, node, all, host_dt }
         };
         let own = wet.iter().zip(&topology.masses).enumerate().filter(|(_, (length, _))| **length > 0.0);
         let each: Vec<AddedMass> = own.map(|(node, (length, mass))| of(*mass, *length, Some(node))).collect();
-        if each.iter().all(|a| a.row.is_finite()) {
-            return each.into_iter().max_by(|a, b| a.row.total_cmp(&b.row));
+        if each.iter().all(|a| a.layer.is_finite()) {
+            return each.into_iter().max_by(|a, b| a.layer.total_cmp(&b.layer));
         }
         Some(of(topology.masses.iter().sum(), high[0] - low[0], None))
     }
@@ -56,13 +56,13 @@ impl AddedMass {
         match self.host_dt {
             dt if dt.is_infinite() => None,
             dt if dt <= 0.0 => Some(format!(
-                "half a layer of water has {:.3} times the mass {whose}: a host that takes the force as it comes shakes at any \
-                 step; save, contribute, correct, restore and repeat until the force agrees, or take a finer spacing",
-                self.row
+                "half a layer of water has {:.3} times the mass {whose}, expected less than 1: explicit coupling of the host is unstable \
+                 at any step; save, contribute, correct, restore and repeat until the force agrees, or take a finer spacing",
+                self.layer
             )),
             dt => Some(format!(
-                "the water that moves with it has up to {:.3} times the mass {whose}: above steps of {dt:.3e} s a host that takes \
-                 the force as it comes may shake; keep below, or save, contribute, correct, restore and repeat",
+                "the added mass is up to {:.3} times the mass {whose}: explicit coupling of the host may be unstable above steps of \
+                 {dt:.3e} s; take shorter ones, or save, contribute, correct, restore and repeat until the force agrees",
                 self.all
             )),
         }

@@ -31,7 +31,7 @@ pub struct Contribution {
     pub fluid_steps: u32,
     /// Longest step that the water could take next [s].
     pub fluid_dt: f64,
-    /// Longest next step of a host that takes the force as it comes [s] (THEORY CO32): an estimate, infinite where masses are
+    /// Longest next step of a host with explicit coupling [s] (THEORY CO32): an estimate, infinite where masses are
     /// unknown or the surface is dry.
     pub host_dt: f64,
     /// Energy given to the nodes [J/m] (THEORY CO31).

@@ -303,6 +303,6 @@ mod tests {
         assert!(said(of().closed([0, 1, 2, 0])).contains("node 0 twice"));
         assert!(said(of().closed([0, 1, 2, 3])).contains("nodes 2 and 3: given both at"));
         assert!(said(of().open([0, 1], Side::Left, 0.05)).contains("a backing of 0.05 m, expected 0.1 m"));
-        assert!(said(of().closed([0, 1, 2]).weighing(vec![1.0])).contains("masses of 1 values, expected 4"));
+        assert!(said(of().closed([0, 1, 2]).weighing(vec![1.0])).contains("masses: given 1 values, expected 4"));
     }
 }

@@ -188,7 +188,7 @@ mod tests {
     }
 
     #[test]
-    fn minimum_width_sees_a_tilted_plate() {
+    fn minimum_width_is_the_thickness_of_a_tilted_plate() {
         let a = 30.0_f64.to_radians();
         let tilted = RECTANGLE.map(|[x, y]| [x * a.cos() - y * a.sin(), x * a.sin() + y * a.cos()]);
         assert!((minimum_width(&tilted) - 1.0).abs() < 1e-14);

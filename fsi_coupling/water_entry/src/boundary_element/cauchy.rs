@@ -129,7 +129,7 @@ impl Contour {
 
     /// Find what is not known of β: φ is read where it is known, ψ where it is, the rest is written.
     pub fn solve(&self, beta: &mut Complex) {
-        beta.forget(&self.known);
+        beta.clear(&self.known);
         let right_of = |j: &usize| if *j == 0 { 0.0 } else { -self.of.sum(*j, beta) };
         let mut solution: Vec<f64> = self.unknown.iter().map(right_of).collect();
         self.matrix.solve(&mut solution);
@@ -139,7 +139,7 @@ impl Contour {
 
 impl Complex {
     /// Zeros where nothing is known.
-    pub fn forget(&mut self, known: &[Known]) {
+    pub fn clear(&mut self, known: &[Known]) {
         for (k, known) in known.iter().enumerate() {
             match known {
                 Known::Potential => self.psi[k] = 0.0,

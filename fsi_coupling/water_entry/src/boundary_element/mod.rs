@@ -106,7 +106,7 @@ impl EntryFlow {
             };
             flow.step(|_| 0.0).map_err(ended)?;
         }
-        flow.forget_past();
+        flow.clear_past();
         Ok(EntryFlow { gravity, ..flow })
     }
 
@@ -153,14 +153,14 @@ impl EntryFlow {
 
     /// The flow about a wedge at another draught [m]: all lengths in proportion to it.
     fn scaled_to(mut self, draught: f64) -> EntryFlow {
-        self.forget_past();
+        self.clear_past();
         let length = draught / self.draught;
         EntryFlow { surface: self.surface.scaled(length, 1.0), face: self.face.at_draught(draught), draught, ..self }
     }
 
     /// The same with all velocities in proportion to a downward speed [m/s].
     fn at_speed(mut self, speed: f64) -> EntryFlow {
-        self.forget_past();
+        self.clear_past();
         EntryFlow { surface: self.surface.scaled(1.0, speed / self.speed), speed, ..self }
     }
 
@@ -226,13 +226,13 @@ impl EntryFlow {
         if k < 2 {
             self.underside = None;
             self.face = self.face.left_at(f64::INFINITY);
-            self.forget_past();
+            self.clear_past();
             return self;
         }
         underside.z.truncate(k + 1);
         underside.phi.truncate(k + 1);
         underside.z[k] = on_face.z;
-        self.forget_past();
+        self.clear_past();
         self
     }
 

@@ -33,7 +33,7 @@ impl EntryFlow {
     pub fn step(&mut self, acceleration: impl Fn(&FlowLoad) -> f64) -> Result<(f64, FlowLoad), FlowEnded> {
         let mut start = self.solve();
         if self.separate(&start, acceleration(&start.load)) {
-            self.forget_past();
+            self.clear_past();
             start = self.solve();
         }
         let ended = |speed: f64| FlowEnded { draught: self.draught, speed };
@@ -97,15 +97,15 @@ impl EntryFlow {
     pub(super) fn after(mut self, before: &EntryFlow, flow: &Solution, rate: f64, dt: f64) -> EntryFlow {
         let older = before.past.iter().map(|past| Past { ago: past.ago + dt, ..*past });
         self.past = std::iter::once(before.motion(rate, dt)).chain(older).take(INSTANTS - 1).collect();
-        self.surface.remember(&before.surface, &flow.above);
+        self.surface.store_past(&before.surface, &flow.above);
         if let (Some(surface), Some(before)) = (&mut self.underside, &before.underside) {
-            surface.remember(before, &flow.below);
+            surface.store_past(before, &flow.below);
         }
         self
     }
 
     /// Drop the past where the flow changes suddenly.
-    pub(super) fn forget_past(&mut self) {
+    pub(super) fn clear_past(&mut self) {
         self.past.clear();
         self.surface.past.clear();
         if let Some(underside) = &mut self.underside {
@@ -190,7 +190,7 @@ impl FreeSurface {
     }
 
     /// Keep the `flow` at the nodes of this surface when they were those of `before`, and what that kept.
-    fn remember(&mut self, before: &FreeSurface, flow: &SurfaceFlow) {
+    fn store_past(&mut self, before: &FreeSurface, flow: &SurfaceFlow) {
         self.past = std::iter::once(flow).chain(&before.past).take(INSTANTS - 1).cloned().collect();
     }
 }

@@ -51,7 +51,7 @@ fn the_bodys_work_is_energy_of_the_water() {
 
 /// The keel that is added to a round bottom is forgotten at twice its half width.
 #[test]
-fn a_round_bottom_forgets_its_keel() {
+fn the_flow_about_a_round_bottom_does_not_depend_on_its_keel() {
     let section = Section::arc(1.0, 1.9).expect("a section");
     let loads = |keel: f64| {
         let mut flow = EntryFlow::first(&section, 0.1, 1.0, keel).expect("a flow");

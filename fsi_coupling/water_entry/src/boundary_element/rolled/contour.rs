@@ -68,7 +68,7 @@ impl WholeContour {
 
     /// Find what is not known of β: φ is read where it is known, ψ where it is but for a constant, the rest is written.
     pub fn solve(&self, beta: &mut Complex) {
-        beta.forget(&self.known);
+        beta.clear(&self.known);
         let last = self.known.len() - 1;
         let right_of = |j: usize| if j == 0 || j == last { 0.0 } else { -self.of.sum(j, beta) };
         let of_contacts = self.contacts.iter().map(|&j| right_of(j)).sum();

@@ -125,7 +125,7 @@ impl RolledFlow {
     pub fn step(&mut self, acceleration: impl Fn(&RolledLoad) -> f64) -> Result<(f64, RolledLoad), FlowEnded> {
         let mut start = solution::solve(&self.sides);
         if self.separate(&start) {
-            self.sides.iter_mut().for_each(EntryFlow::forget_past);
+            self.sides.iter_mut().for_each(EntryFlow::clear_past);
             start = solution::solve(&self.sides);
         }
         let ended = |speed: f64| FlowEnded { draught: self.draught(), speed };
