@@ -4,6 +4,7 @@
 //! by their sections, [`export`] writes files for other programs, [`bench`] measures the speed on this machine. [`cli`] parses arguments and
 //! prints. Scenes are read by the crate `scene`, run by `run`, and shown by `report`.
 
+mod axis;
 pub mod bench;
 pub mod cli;
 mod data_table;

@@ -66,9 +66,14 @@ impl Source {
         Ok(Source { name, text, sets: sets.to_vec(), schema })
     }
 
+    /// The file as a table.
+    pub fn table(&self) -> Result<Table, SceneError> {
+        self.text.parse().map_err(|error| self.syntax_error(&error))
+    }
+
     /// The file with its `--set` arguments applied in their order.
     pub fn read(&self) -> Result<serde_json::Value, SceneError> {
-        let mut table: Table = self.text.parse().map_err(|error| self.syntax_error(&error))?;
+        let mut table = self.table()?;
         for set in &self.sets {
             apply_set(&mut table, set)?;
         }
@@ -126,29 +131,37 @@ impl Source {
         (self.text[start..end].to_string(), place)
     }
 
-    /// Where the value of a key stands; a key that no scene has, itself; for a key that is not written, its table's header.
-    fn span(&self, key: &str) -> Range<usize> {
+    /// Where the value of a key stands; a key that no scene has, itself; for a key that is not written, its table's header. A key in quotes
+    /// may be several steps of the path.
+    pub fn span(&self, key: &str) -> Range<usize> {
         let Ok(document) = DeTable::parse(&self.text) else {
             return 0..0;
         };
         let known = self.schema.keyword(key).is_some();
         let mut span = 0..0;
         let mut value = &DeValue::Table(document.into_inner());
-        for segment in segments(key) {
-            let found = match (&segment, value) {
-                (Segment::Key(key), DeValue::Table(table)) => {
-                    table.get_key_value(*key).map(|(key, item)| match known && !item.get_ref().is_table() {
-                        true => (item.span(), item),
-                        false => (key.span(), item),
-                    })
+        let path: Vec<Segment> = segments(key).collect();
+        let mut rest = path.as_slice();
+        while let Some(step) = rest.first() {
+            let found = match (step, value) {
+                (_, DeValue::Table(table)) => {
+                    let fitting = table.iter().filter_map(|(key, item)| {
+                        let steps: Vec<Segment> = segments(key.get_ref()).collect();
+                        let behind = rest.strip_prefix(steps.as_slice()).filter(|_| !steps.is_empty())?;
+                        let place = if known && !item.get_ref().is_table() { item.span() } else { key.span() };
+                        Some((place, item, behind))
+                    });
+                    fitting.min_by_key(|(_, _, behind)| behind.len())
                 }
-                (Segment::Index(index), DeValue::Array(items)) => items.get(*index).map(|item| (item.span(), item)),
+                (Segment::Index(index), DeValue::Array(items)) => {
+                    items.get(*index).map(|item| (item.span(), item, &rest[1..]))
+                }
                 _ => None,
             };
-            let Some((place, item)) = found else {
+            let Some((place, item, behind)) = found else {
                 break;
             };
-            (span, value) = (place, item.get_ref());
+            (span, value, rest) = (place, item.get_ref(), behind);
         }
         span
     }
@@ -160,7 +173,7 @@ fn writes(set: &str, key: &str) -> bool {
 }
 
 /// TOML can say `nan`, `inf`, 1e300 and 2^63 - 1; no key of a scene can mean them, and sums of squares need not survive them.
-pub(super) fn refuse_absurd_numbers(path: &str, value: &Value) -> Result<(), Problem> {
+pub fn refuse_absurd_numbers(path: &str, value: &Value) -> Result<(), Problem> {
     match value {
         Value::Float(number) if number.is_nan() || number.abs() > LARGEST_NUMBER => {
             Err(Problem::new(path, number, format!("a finite number up to {LARGEST_NUMBER:e}")))

@@ -95,7 +95,7 @@ impl Checker<'_> {
             let path = joined(path, key);
             let nested: Vec<Foreign> =
                 others.iter().flat_map(|other| within(other, content, key)).chain(keys.foreign(key).copied()).collect();
-            let Some(node) = keys.own(key) else {
+            let Some(node) = keys.own(key).or(node.free_key()) else {
                 let tag = nested.first().map_or("", |foreign| foreign.tag);
                 let chosen =
                     keys.tags.iter().chain(&self.tags()).find(|(name, _)| *name == tag).map(|(_, value)| *value);
@@ -129,6 +129,9 @@ impl Checker<'_> {
 
     /// A value of a key; none for the word that stands for an absent key.
     fn value(&self, node: Node, others: &[Foreign], given: &Value, path: &str) -> Result<Option<Value>, Problem> {
+        if let Some(part) = node.kinds_of_values().into_iter().find(|part| part.kind() == Some(kind_of(given))) {
+            return self.value(part, others, given, path);
+        }
         let (inner, word) = node.given();
         if word.is_some() && given.as_str() == word {
             return Ok(None);
@@ -139,6 +142,8 @@ impl Checker<'_> {
             return self::word(&words, given, path).map(Some);
         }
         match (inner.kind(), given) {
+            _ if *node.0 == Value::Bool(true) => {}
+            _ if !node.kinds_of_values().is_empty() => return refused(shown(given)),
             (_, Value::String(text)) if node.words_beside_number().contains(&text.as_str()) => {}
             (Some("number"), Value::Number(x))
                 if x.as_f64().is_some_and(|x| inner.allows_number(x) && node.allows_number(x)) => {}
@@ -256,6 +261,17 @@ fn is_default(node: Node, given: &Value) -> bool {
         }
         (None, given) => is_off(given),
         _ => false,
+    }
+}
+
+/// The type of a value, as a schema names it.
+fn kind_of(value: &Value) -> &'static str {
+    match value {
+        Value::Number(_) => "number",
+        Value::String(_) => "string",
+        Value::Array(_) => "array",
+        Value::Object(_) => "object",
+        _ => "boolean",
     }
 }
 

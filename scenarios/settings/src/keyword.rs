@@ -41,18 +41,27 @@ impl Keyword {
     }
 }
 
+/// Stands for any key in the path of a keyword.
+const FREE: &str = "KEY";
+
 /// The keywords of a table and of the tables in it, in their order.
 pub(super) fn collect(node: Node, path: &str, words: &mut Vec<Keyword>) {
     let keys = node.keys(&Map::new());
     let foreign = keys.foreign.iter().map(|foreign| (foreign.key, foreign.node, Some(foreign.owner)));
     let own = keys.own.iter().map(|(key, node)| (*key, *node, None));
-    for (key, child, owner) in own.chain(foreign) {
+    let free = node.free_key().map(|child| (FREE, child, None));
+    for (key, child, owner) in own.chain(foreign).chain(free) {
         let at = joined(path, key);
         let (inner, _) = child.given();
         let is_tag = keys.tags.iter().any(|(tag, _)| *tag == key);
         match (inner.kind(), inner.get("items").map(Node)) {
             (Some("array"), Some(item)) if item.kind() == Some("object") => collect(item, &format!("{at}[]"), words),
-            (Some("object"), _) if !is_tag => collect(inner, &at, words),
+            (Some("object"), _) if !is_tag => {
+                if !child.kinds_of_values().is_empty() {
+                    words.push(of_key(&at, node, child, key, false));
+                }
+                collect(inner, &at, words);
+            }
             _ if words.iter().any(|known| known.path == at) => {}
             _ if is_tag => words.push(of_tag(&at, child)),
             _ => words.push(of_key(&at, node, child, key, owner.is_some() || is_of_variant(node, key))),
@@ -78,7 +87,8 @@ fn of_tag(path: &str, node: Node) -> Keyword {
 }
 
 fn of_key(path: &str, table: Node, node: Node, key: &str, of_variant: bool) -> Keyword {
-    let (doc, unit) = meaning(node.text("description").unwrap_or_default());
+    let of_table = || table.text("description").filter(|_| key == FREE);
+    let (doc, unit) = meaning(node.text("description").or_else(of_table).unwrap_or_default());
     let default = match (node.text("x-default"), node.get("default")) {
         (Some(text), _) => text.to_string(),
         (None, Some(value)) => written(value),

@@ -13,6 +13,8 @@
 //! | `schemars(extend("x-when" = ".scheme = iqn_ils"))` | the key is refused where it has no effect |
 //! | `schemars(extend("x-neutral" = 0))` | under another tag the key may stand with this value only, else off or with its default |
 //! | `schemars(extend("x-ignored-elsewhere" = true))` | under another tag the key is ignored |
+//! | a map | each key has a value of its kind; `serde_json::Value` takes anything |
+//! | an untagged enum of values of several kinds | the kind of the given value selects; `x-takes` says what is expected |
 //! | `serde(flatten)` of an enum with `serde(tag = "shape")` | the tag's value selects the keys; `x-shape-default`, `x-shape-doc` |
 //!
 //! ```

@@ -80,6 +80,23 @@ impl<'s> Node<'s> {
         (value, word)
     }
 
+    /// The parts of a choice between values of several kinds, such as a text or a list of texts; none of anything else.
+    pub fn kinds_of_values(self) -> Vec<Node<'s>> {
+        let parts = self.list("anyOf").flat_map(|part| match part.kinds_of_values() {
+            none if none.is_empty() => vec![part],
+            several => several,
+        });
+        let is_kind =
+            |part: &Node| part.kind() != Some("null") && part.words().is_empty() && part.text("const").is_none();
+        let parts: Vec<Node> = parts.filter(|part| is_kind(part) && part.tag().is_none()).collect();
+        if parts.len() > 1 { parts } else { Vec::new() }
+    }
+
+    /// What each key of a table may be whose keys are free.
+    pub fn free_key(self) -> Option<Node<'s>> {
+        self.get("additionalProperties").filter(|node| **node != Value::Bool(false)).map(Node)
+    }
+
     /// The words that it allows; none where it is not a choice of words.
     pub fn words(self) -> Vec<&'s str> {
         let listed = self.get("enum").and_then(Value::as_array).into_iter().flatten().filter_map(Value::as_str);
@@ -179,6 +196,13 @@ impl<'s> Node<'s> {
 
     /// What it takes, in words.
     pub fn expected(self) -> String {
+        if let Some(text) = self.text("x-takes") {
+            return text.to_string();
+        }
+        let kinds = self.kinds_of_values();
+        if !kinds.is_empty() {
+            return kinds.into_iter().map(Node::expected).collect::<Vec<_>>().join(" or ");
+        }
         let (node, word) = self.given();
         let or_word = word.map_or(String::new(), |word| format!(" or {word:?}"));
         let words: Vec<String> = self.given_words().iter().map(|word| format!("`{word}`")).collect();
@@ -206,6 +230,7 @@ impl<'s> Node<'s> {
         match (length, items.and_then(Node::kind)) {
             (Some(2.0), _) if short => "two numbers".into(),
             (Some(length), _) => format!("an array of length {length}"),
+            (None, Some("string")) if self.number("minItems") == Some(1.0) => "a list of at least one".into(),
             (None, Some("object")) => "a list (of tables: a heading in double brackets, [[...]])".into(),
             (None, _) => "a list".into(),
         }

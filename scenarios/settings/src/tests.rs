@@ -112,3 +112,62 @@ fn a_variant_names_who_requires_its_keys() {
     assert_eq!(default("solver"), Some("slow".into()));
     assert_eq!(default("width"), Some("auto".into()));
 }
+
+#[derive(Deserialize, JsonSchema)]
+#[allow(dead_code)]
+struct Study {
+    /// Names.
+    names: Option<OneOrMore>,
+    /// Axes by their keys.
+    axes: std::collections::BTreeMap<String, Axis>,
+    /// Overrides.
+    set: std::collections::BTreeMap<String, Value>,
+}
+
+#[derive(Deserialize, JsonSchema)]
+#[serde(untagged)]
+#[allow(dead_code)]
+enum OneOrMore {
+    One(String),
+    More(Vec<String>),
+}
+
+/// Values.
+#[derive(Deserialize, JsonSchema)]
+#[serde(untagged)]
+#[allow(dead_code)]
+enum Axis {
+    List(Vec<Value>),
+    Range(Ends),
+}
+
+#[derive(Deserialize, JsonSchema)]
+#[allow(dead_code)]
+struct Ends {
+    /// First.
+    from: f64,
+}
+
+#[test]
+fn free_keys_and_values_of_several_kinds_are_checked() {
+    let schema = Schema::of::<Study>("a study");
+    let given =
+        json!({"names": ["a", "b"], "axes": {"x.y": [1, "b"], "z": {"from": 1}}, "set": {"a": null, "b": {"c": 1}}});
+    assert_eq!(schema.check(&given), Ok(given.clone()));
+    assert!(schema.check(&json!({"names": "a"})).is_ok());
+    for (given, sentence) in [
+        (json!({"names": 3}), "`names` = 3: expected a string or a list"),
+        (json!({"names": ["a", 3]}), "`names[1]` = 3: expected a string"),
+        (json!({"axes": {"x.y": true}}), "`axes.x.y` = true: expected a list or a table of keys"),
+        (
+            json!({"axes": {"x": {"frm": 1}}}),
+            "unknown key `axes.x.frm`: expected a key of a study, such as `axes.KEY.from`",
+        ),
+        (json!({"axes": {"x": {"from": "a"}}}), "`axes.x.from` = \"a\": expected a number"),
+    ] {
+        assert_eq!(schema.check(&given).map_err(|problem| problem.sentence), Err(sentence.to_string()));
+    }
+    let paths: Vec<&str> = schema.keywords().iter().map(|keyword| keyword.path.as_str()).collect();
+    assert_eq!(paths, ["names", "axes.KEY", "axes.KEY.from", "set.KEY"]);
+    assert_eq!(schema.keywords()[3].doc, "Overrides");
+}

@@ -6,8 +6,8 @@ use serde_json::{Value, json};
 use settings::{Keyword, Schema};
 
 use super::shared::{DONE, Output, Stop, say};
-use crate::ditching;
 use crate::reference_page::reference_page;
+use crate::{ditching, sweep};
 
 #[derive(Args)]
 pub(super) struct KeywordsArgs {
@@ -19,8 +19,8 @@ pub(super) struct KeywordsArgs {
 }
 
 /// The files that have keys.
-fn readers() -> [(&'static str, &'static Schema); 2] {
-    [("scene", scene::schema()), ("landing", ditching::schema())]
+fn readers() -> [(&'static str, &'static Schema); 3] {
+    [("scene", scene::schema()), ("landing", ditching::schema()), ("sweep", sweep::schema())]
 }
 
 pub(super) fn keywords(output: &Output, args: &KeywordsArgs) -> Result<u8, Stop> {

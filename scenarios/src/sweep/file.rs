@@ -4,14 +4,16 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use scene::mistaken_file::{Expected, refuse_other_kind};
-use scene::source::segments;
-use scene::{SceneError, read_text};
+use scene::read_text;
+use scene::source::{Source, refuse_absurd_numbers};
 use serde::{Deserialize, Serialize};
-use toml::Value;
+use settings::Problem;
+use toml::{Table, Value};
 
-use super::axes::{Block, MOST_POINTS, grid, hypercube, product, zip};
+use super::axes::{Block, hypercube, product, toml, zip};
 use super::error::SweepError;
-use super::toml_reader::{Entry, TomlReader};
+use super::keys::{Keys, refused, schema, with_paths};
+use crate::axis::MOST_POINTS;
 use crate::ditching;
 
 /// What a point is.
@@ -41,8 +43,6 @@ pub struct SweepFile {
     pub tabulate: Vec<String>,
 }
 
-const KEYS: [&str; 7] = ["scene", "ditch", "tabulate", "set", "grid", "zip", "latin_hypercube"];
-
 impl SweepFile {
     /// Read a sweep file.
     ///
@@ -68,49 +68,51 @@ impl SweepFile {
     /// # Errors
     /// The first mistake.
     pub fn parse(path: &Path, shown: &str, text: &str) -> Result<SweepFile, SweepError> {
-        let reader = TomlReader { name: shown, text };
-        let table = reader.parse()?;
-        let folder = path.parent().unwrap_or(Path::new(""));
-        let (mut what, mut tabulate, mut sets, mut blocks) = (None, Vec::new(), Vec::new(), Vec::new());
-        let mut keys: Vec<String> = Vec::new();
-        let mut take = |place: std::ops::Range<usize>, key: &str| -> Result<(), SceneError> {
-            if keys.iter().any(|other| segments(other).eq(segments(key))) {
-                return Err(reader.error(place, format!("`{key}` stands twice: expected one place for each key")));
-            }
-            keys.push(key.to_string());
-            Ok(())
-        };
-        for entry in reader.entries(&table) {
-            let mut found: Vec<Block> = Vec::new();
-            match entry.key.as_str() {
-                word @ ("scene" | "ditch") if what.is_none() => what = Some(scenes(&reader, &entry, word, folder)?),
-                "scene" | "ditch" => {
-                    return Err(reader.error(entry.place, "expected `scene` or `ditch`, not both".into()).into());
+        let source = Source { name: shown.into(), text: text.into(), sets: Vec::new(), schema: schema() };
+        let table = source.table()?;
+        Ok(SweepFile::of(path, &source, table).map_err(|problem| source.error(problem))?)
+    }
+
+    fn of(path: &Path, source: &Source, table: Table) -> Result<SweepFile, Problem> {
+        for (key, value) in &table {
+            match key.as_str() {
+                "latin_hypercube" => {
+                    value.get("keys").map_or(Ok(()), |keys| refuse_absurd_numbers("latin_hypercube.keys", keys))?
                 }
-                "tabulate" => tabulate = reader.strings("tabulate", entry.value)?,
-                "set" => {
-                    for leaf in reader.leaves(reader.table(&entry)?, |_| false) {
-                        take(leaf.place.clone(), &leaf.key)?;
-                        sets.push(assignment(&leaf.key, &reader.value(leaf.value)?));
-                    }
-                }
-                "grid" => found = grid(&reader, reader.table(&entry)?)?,
-                "zip" => found = zips(&reader, &entry)?,
-                "latin_hypercube" => found = vec![hypercube(&reader, &entry)?],
-                _ => return Err(reader.unknown(&entry, &KEYS).into()),
+                key => refuse_absurd_numbers(key, value)?,
             }
-            found.iter().flat_map(|block| &block.keys).try_for_each(|key| take(entry.place.clone(), key))?;
-            blocks.extend(found);
         }
-        let Some((kind, scenes)) = what else {
-            let expected =
-                "expected `scene = \"NAME\"` or `ditch = \"NAME\"`: a built-in name, or a path from this file";
-            return Err(reader.error(0..0, expected.into()).into());
+        let given = with_paths(source, &table)?;
+        let keys = Keys::deserialize(schema().check(&given)?);
+        let keys = keys.map_err(|error| schema().missing("latin_hypercube", &error))?;
+        let folder = path.parent().unwrap_or(Path::new(""));
+        let (kind, scenes) = match (keys.scene, keys.ditch) {
+            (Some(names), None) => (Kind::Run, scenes(names.placed("scene"), &scene::builtin(), folder)?),
+            (None, Some(names)) => (Kind::Ditch, scenes(names.placed("ditch"), &ditching::builtin(), folder)?),
+            (Some(_), Some(_)) => return Err(refused("ditch", "expected `scene` or `ditch`, not both")),
+            (None, None) => {
+                let expected =
+                    "expected `scene = \"NAME\"` or `ditch = \"NAME\"`: a built-in name, or a path from this file";
+                return Err(refused("", expected));
+            }
         };
+        let grid = keys.grid.iter().map(|axis| Ok(("grid", zip("grid", [axis])?)));
+        let mut blocks = grid.collect::<Result<Vec<_>, Problem>>()?;
+        for (path, axes) in keys.zip.map_or(Vec::new(), |zips| zips.placed("zip")) {
+            blocks.push(("zip", zip(&path, &axes)?));
+        }
+        if let Some(cube) = &keys.latin_hypercube {
+            blocks.push(("latin_hypercube", hypercube(cube)?));
+        }
+        blocks.sort_by_cached_key(|(table, _)| source.span(table).start);
+        let mut blocks: Vec<Block> = blocks.into_iter().map(|(_, block)| block).collect();
         if scenes.len() > 1 {
             let rows = scenes.iter().map(|[given, _]| vec![Value::String(given.clone())]).collect();
             blocks.insert(0, Block { keys: vec![SCENE_AXIS.into()], rows });
         }
+        let sets = keys.set.iter().map(|(key, value)| assignment(key, &toml(value))).collect();
+        let tabulate = keys.tabulate.map_or(Vec::new(), |paths| paths.placed("tabulate"));
+        let tabulate = tabulate.into_iter().map(|(_, path)| path).collect();
         Ok(SweepFile { path: path.to_path_buf(), kind, scenes, sets, blocks, tabulate })
     }
 
@@ -144,38 +146,20 @@ pub(super) fn assignment(key: &str, value: &Value) -> String {
 }
 
 /// Scenes: built-in names stay, paths lead from the sweep file's folder.
-fn scenes(
-    reader: &TomlReader<'_>,
-    entry: &Entry<'_>,
-    word: &str,
-    folder: &Path,
-) -> Result<(Kind, Vec<[String; 2]>), SceneError> {
-    let (kind, builtin) = match word {
-        "ditch" => (Kind::Ditch, ditching::builtin()),
-        _ => (Kind::Run, scene::builtin()),
-    };
-    let place = |name: String| {
+fn scenes(names: Vec<(String, String)>, builtin: &[(&str, &str)], folder: &Path) -> Result<Vec<[String; 2]>, Problem> {
+    let place = |(key, name): (String, String)| {
         let path = folder.join(&name);
-        let known = builtin.iter().any(|(builtin, _)| *builtin == name);
-        match (known, path.is_file()) {
+        match (builtin.iter().any(|(known, _)| *known == name), path.is_file()) {
             (true, _) => Ok([name.clone(), name]),
             (false, true) => Ok([name, path.to_string_lossy().into_owned()]),
             (false, false) => {
                 let names = builtin.iter().map(|(name, _)| *name).collect::<Vec<_>>().join(", ");
                 let expected = format!("a built-in name ({names}), or the path of a file from {}", folder.display());
-                Err(reader.unexpected(word, entry.value, &expected))
+                Err(Problem::new(&key, format!("{name:?}"), expected))
             }
         }
     };
-    Ok((kind, reader.strings(word, entry.value)?.into_iter().map(place).collect::<Result<_, _>>()?))
-}
-
-/// `[[zip]]` or `[zip]`.
-fn zips(reader: &TomlReader<'_>, entry: &Entry<'_>) -> Result<Vec<Block>, SceneError> {
-    let toml::de::DeValue::Array(items) = entry.value.get_ref() else {
-        return Ok(vec![zip(reader, entry)?]);
-    };
-    items.iter().map(|value| zip(reader, &Entry { value, ..entry.clone() })).collect()
+    names.into_iter().map(place).collect()
 }
 
 #[cfg(test)]
@@ -203,6 +187,9 @@ mod tests {
         );
         assert_eq!(rows("scene = \"wedge\"\n[[zip]]\na = [1, 2]\n\"b[1]\" = [\"x\", true]"), ["1 \"x\"", "2 true"]);
         assert_eq!(rows("scene = \"wedge\""), [""]);
+        let quoted = "scene = \"wedge\"\n[[zip]]\nz = [1]\n[grid]\n\"body.velocity[1]\" = [-4, -6]\nbody.mass = [1, 2]";
+        assert_eq!(parse(quoted).expect("a sweep").keys(), ["z", "body.velocity[1]", "body.mass"]);
+        assert_eq!(rows(quoted)[1], "1 -4 2");
         let cube = "scene = \"wedge\"\n[latin_hypercube]\nsamples = 5\nkeys.a = [0, 1]\nkeys.b = { from = -1, to = -100, scale = \"log\" }";
         assert_eq!(rows(cube).len(), 5);
     }
@@ -212,27 +199,53 @@ mod tests {
         for (text, expected) in [
             ("scene = \"wedgy\"", "s.toml:1: `scene` = \"wedgy\": expected a built-in name"),
             ("[grid]\na = [1]", "s.toml:1: expected `scene = \"NAME\"`"),
-            ("scene = \"wedge\"\n[grid]\na = 3", "s.toml:3: `a` = 3: expected a list of values"),
-            ("scene = \"wedge\"\n[grid]\na = []", "s.toml:3: `a` = []: expected at least one value"),
+            ("scene = \"wedge\"\n[grid]\na = 3", "s.toml:3: `grid.a` = 3: expected a list of values, or a range"),
+            ("scene = \"wedge\"\n[grid]\na = []", "s.toml:3: `grid.a` = []: expected at least one value"),
             ("scene = \"wedge\"\n[grid]\na = { from = 1, to = 2 }", "expected `count` or `step`"),
-            ("scene = \"wedge\"\n[grid]\na = { from = 1, to = 2, step = -1 }", "expected a step that leads"),
+            (
+                "scene = \"wedge\"\n[grid]\na = { from = 1, to = 2, step = -1 }",
+                "expected a linear step from `from` to `to`",
+            ),
             ("scene = \"wedge\"\n[grid]\na = { from = -1, to = 2, count = 3, scale = \"log\" }", "of the same sign"),
             (
                 "scene = \"wedge\"\n[grid]\na = { from = 1, too = 2, count = 3 }",
-                "unknown key `too`: expected one of from",
+                "s.toml:3: unknown key `grid.a.too`: expected a key of a sweep, such as `grid.KEY.to`",
             ),
-            ("scene = \"wedge\"\n[set]\na = 1\n[grid]\na = [1, 2]", "s.toml:4: `a` stands twice"),
+            ("scene = \"wedge\"\n[set]\na = 1\n[grid]\na = [1, 2]", "s.toml:5: `a` stands twice"),
             (
                 "scene = \"wedge\"\n[[zip]]\na = [1, 2]\nb = [1]",
-                "s.toml:4: `b` = [1]: expected as many values as `a`: 2, not 1",
+                "s.toml:4: `zip[0].b` = [1]: expected as many values as `a`: 2, not 1",
             ),
             ("scene = \"wedge\"\n[zip]\n", "s.toml:2: [zip]: expected at least one key"),
-            ("scene = \"wedge\"\n[latin_hypercube]\nkeys.a = [0, 1]", "expected `samples`"),
+            (
+                "scene = \"wedge\"\n[latin_hypercube]\nkeys.a = [0, 1]",
+                "s.toml:2: `latin_hypercube.samples` is missing: expected a whole number from 1 to 100000",
+            ),
             (
                 "scene = \"wedge\"\n[gird]\na = [1]",
-                "s.toml:2: unknown key `gird`: expected one of scene, ditch, tabulate, set, grid, zip, latin_hypercube, perhaps `grid`",
+                "s.toml:2: unknown key `gird`: expected a key of a sweep, such as `grid`",
             ),
             ("scene = \"wedge\"\nditch = \"mercure\"", "`scene` or `ditch`, not both"),
+            (
+                "scene = \"wedge\"\n[zip]\nb = [1, 2]\n\"a[1]\" = 3",
+                "s.toml:4: `zip.a[1]` = 3: expected a list of values",
+            ),
+            (
+                "scene = \"wedge\"\n[grid]\na = { to = 2, count = 3 }",
+                "s.toml:3: `grid.a` = { count = 3, to = 2 }: expected both ends",
+            ),
+            ("scene = \"wedge\"\n[grid]\na.b = [1, inf]", "s.toml:3: `grid.a.b[1]` = inf: expected a finite number"),
+            ("scene = \"wedge\"\n[grid]\na.b = [1]\n\"a.b\" = [2]", "`a.b` stands twice"),
+            (
+                "scene = \"wedge\"\n[latin_hypercube]\nsamples = 3\nkeys.a = [0, 0]",
+                "s.toml:4: `latin_hypercube.keys.a` = [0, 0]: expected two different ends",
+            ),
+            ("scene = []", "s.toml:1: `scene` = an array of length 0: expected a list of at least one"),
+            (
+                "scene = \"wedge\"\n[latin_hypercube]\nsamples = 3",
+                "s.toml:2: [latin_hypercube.keys]: expected at least one key with its ends",
+            ),
+            ("scene = [\"wedge\", 3]", "s.toml:1: `scene[1]` = 3: expected a string"),
             ("scene = ", "s.toml:1: not valid TOML"),
         ] {
             let said = parse(text).expect_err(text);

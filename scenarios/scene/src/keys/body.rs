@@ -23,7 +23,7 @@ pub struct Body {
     #[serde(flatten)]
     pub shape: Shape,
     /// File of the points of a polygon or polyline, below the folder of the scene's file: CSV or text (x, y), DAT of airfoils, DXF (LINE,
-    /// LWPOLYLINE, POLYLINE, ARC, CIRCLE) or SVG (straight lines). A polygon is turned counter-clockwise and closed; points that repeat
+    /// LWPOLYLINE, POLYLINE, ARC, CIRCLE) or SVG (paths and shapes). A polygon is turned counter-clockwise and closed; points that repeat
     /// are merged.
     #[serde(default, skip_serializing)]
     pub outline: Option<String>,

@@ -4,8 +4,10 @@ use crate::data_file::Fault;
 
 /// Largest gap between ends that are joined, over the drawing's size [-].
 const JOINED: f64 = 1e-6;
-/// Angle between the points of an arc of a drawing [deg].
+/// Angle between the points of an arc of a drawing, and largest turn of another curve between its points [deg].
 const ARC_STEP_DEG: f64 = 2.0;
+/// Most times that a curve is split in two, which ends where it has a cusp.
+const MOST_SPLITS: u32 = 12;
 /// Most points of an outline.
 pub(super) const MOST_POINTS: usize = 10_000;
 
@@ -24,6 +26,8 @@ pub(super) struct Drawing {
     pub format: &'static str,
     /// Lines that are hidden in it, and are left out.
     pub hidden: usize,
+    /// Lines that stand in definitions, such as symbols, and are left out.
+    pub defined: usize,
     /// Names of the layers of lines that are read, each once.
     pub layers: Vec<String>,
 }
@@ -39,13 +43,15 @@ impl Drawing {
     /// What was left out, or may be one line too many, in sentences.
     pub fn told(&self) -> Vec<String> {
         let hidden = (self.hidden > 0).then(|| format!("{} hidden lines are left out", self.hidden));
+        let defined = (self.defined > 0)
+            .then(|| format!("{} lines in definitions (defs, symbol, clipPath, ...) are left out", self.defined));
         let several = (self.layers.len() > 1).then(|| {
             format!(
                 "lines of the layers {} are read as one outline: body.outline_layer chooses one",
                 self.layers.join(", ")
             )
         });
-        hidden.into_iter().chain(several).collect()
+        hidden.into_iter().chain(defined).chain(several).collect()
     }
 }
 
@@ -120,6 +126,33 @@ pub(super) fn bulged(line: usize, from: [f64; 2], to: [f64; 2], bulge: f64) -> V
     points.split_off(1)
 }
 
+/// Points of a cubic Bézier curve without the first. It is halved until its control polygon, which turns at least as much as the curve
+/// does, turns by at most that of [`ARC_STEP_DEG`].
+pub(super) fn curve(line: usize, controls: [[f64; 2]; 4]) -> Vec<Placed> {
+    let (mut points, mut waiting) = (Vec::new(), vec![(controls, 0)]);
+    while let Some((controls, splits)) = waiting.pop() {
+        if splits == MOST_SPLITS || turn_deg(controls) <= ARC_STEP_DEG {
+            points.push((line, controls[3]));
+            continue;
+        }
+        let middle = |u: [f64; 2], v: [f64; 2]| [0.5 * (u[0] + v[0]), 0.5 * (u[1] + v[1])];
+        let [a, b, c, d] = controls;
+        let (ab, bc, cd) = (middle(a, b), middle(b, c), middle(c, d));
+        let (abc, bcd) = (middle(ab, bc), middle(bc, cd));
+        let half = middle(abc, bcd);
+        waiting.extend([([half, bcd, cd, d], splits + 1), ([a, ab, abc, half], splits + 1)]);
+    }
+    points
+}
+
+/// Sum of the angles between the sides of a control polygon [deg].
+fn turn_deg(controls: [[f64; 2]; 4]) -> f64 {
+    let sides = controls.windows(2).map(|ends| [ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]]);
+    let sides: Vec<[f64; 2]> = sides.filter(|side| *side != [0.0; 2]).collect();
+    let angle = |[u, v]: [[f64; 2]; 2]| (u[0] * v[1] - u[1] * v[0]).atan2(u[0] * v[0] + u[1] * v[1]).abs().to_degrees();
+    sides.windows(2).map(|pair| angle([pair[0], pair[1]])).sum()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -138,6 +171,19 @@ mod tests {
         assert_eq!(line[0], line[4]);
         let apart = vec![pieces[0].clone(), piece(&[[5.0, 5.0], [6.0, 5.0]])];
         assert!(Drawing { pieces: apart, ..Drawing::default() }.joined().is_err());
+    }
+
+    /// The points are on the curve, they turn by at most 2 degrees from side to side, and a cusp ends.
+    #[test]
+    fn a_curve_turns_little_between_its_points() {
+        let points = curve(1, [[0.0, 0.0], [0.0, 4.0], [1.0, 4.0], [1.0, 0.0]]);
+        let sides: Vec<f64> =
+            points.windows(2).map(|p| (p[1].1[1] - p[0].1[1]).atan2(p[1].1[0] - p[0].1[0]).to_degrees()).collect();
+        assert!(sides.windows(2).all(|pair| (pair[1] - pair[0]).abs() <= 2.0 * ARC_STEP_DEG), "{sides:?}");
+        assert!(points.iter().any(|(_, at)| *at == [0.5, 3.0]) && points.len() < 300, "{}", points.len());
+        let cusp = curve(1, [[0.0, 0.0], [1.0, 1.0], [0.0, 1.0], [1.0, 0.0]]);
+        assert!((40..400).contains(&cusp.len()), "{}", cusp.len());
+        assert_eq!(curve(1, [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [3.0, 0.0]]), [(1, [3.0, 0.0])]);
     }
 
     #[test]

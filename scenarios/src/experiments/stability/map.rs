@@ -5,6 +5,7 @@ use run::numbers::Numbers;
 use serde::{Deserialize, Serialize};
 
 use super::boundary::Boundary;
+use crate::axis::numbers;
 use crate::experiments::catalogue::{Case, Catalogue};
 
 static FOLDER: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/cases/maps");
@@ -61,8 +62,8 @@ pub struct Map {
 pub struct Axis {
     /// Name, with its unit in brackets.
     pub label: String,
-    /// Its values, rising.
-    #[serde(default)]
+    /// Its values, rising: a list or a range.
+    #[serde(default, deserialize_with = "numbers")]
     pub values: Vec<f64>,
     /// The keys that a value drives.
     #[serde(default)]
