@@ -195,7 +195,7 @@ impl Fluid {
         &mut self.system.timers
     }
 
-    /// Where coarse particles are split when the lists are made anew (THEORY WC21); `None` splits none. For the weakly
+    /// Where coarse particles are split when the lists are rebuilt (THEORY WC21); `None` splits none. For the weakly
     /// compressible scheme.
     pub fn set_refinement_zone(&mut self, zone: Option<RefinementZone>) {
         self.system.refinement_zone = zone;
@@ -318,7 +318,7 @@ impl Fluid {
         self.of_both_halves([mass * g[0] + fx + of_tank[0], mass * g[1] + fy + of_tank[1]])
     }
 
-    /// True where that force may be another in each step: the tank bears a part of the water (WC29).
+    /// True where that force may be another in each step: the tank carries a part of the water (WC29).
     pub fn external_force_varies(&self) -> bool {
         self.scheme.external_force_varies()
     }
@@ -345,7 +345,7 @@ impl Fluid {
         contact::candidates(&self.system, walls)
     }
 
-    /// Place a particle elsewhere [m]; the neighbour lists are made anew before they are next needed.
+    /// Place a particle elsewhere [m]; the neighbour lists are rebuilt before they are next needed.
     pub fn place(&mut self, particle: usize, at: [f64; 2]) {
         [self.system.particles.x[particle], self.system.particles.y[particle]] = at;
         self.system.displaced = true;

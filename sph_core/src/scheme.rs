@@ -40,7 +40,7 @@ pub trait Scheme: Any + Send + Sync {
     /// A copy of the scheme's state, to return to.
     fn checkpoint(&self) -> Box<dyn Scheme>;
 
-    /// The state that a step changes and does not find anew, as bytes.
+    /// The state that a step changes and does not recompute, as bytes.
     fn to_bytes(&self) -> Vec<u8>;
 
     /// Take that state. Before: the scheme is made from the same settings and initialised in the same system.
@@ -49,7 +49,7 @@ pub trait Scheme: Any + Send + Sync {
     /// Particle `id` has changed places with its image in the plane of symmetry.
     fn reflected(&mut self, _id: u32) {}
 
-    /// True where the tank bears a part of the water that differs from step to step (THEORY WC29).
+    /// True where the tank carries a part of the water that differs from step to step (THEORY WC29).
     fn external_force_varies(&self) -> bool {
         false
     }

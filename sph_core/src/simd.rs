@@ -19,7 +19,7 @@ pub trait SimdReal:
     fn of(self, x: f64) -> Self;
     /// `of(k)` for target k of [`SimdReal::WIDTH`].
     fn each(self, of: impl FnMut(usize) -> f64) -> Self;
-    /// The first [`SimdReal::WIDTH`] of `single`, at least so many.
+    /// The first [`SimdReal::WIDTH`] of `single`, at least this number.
     fn widened(self, single: &[f32]) -> Self;
     /// What the first [`SimdReal::WIDTH`] targets have, rounded to single precision.
     fn to_single(self) -> [f32; LANES];

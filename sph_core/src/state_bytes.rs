@@ -1,6 +1,6 @@
 //! State as bytes, to continue a run in another process to the same bits.
 //!
-//! Numbers keep their bits, those that are not finite too. The bytes hold what a step changes; everything else is built anew from the
+//! Numbers keep their bits, those that are not finite too. The bytes hold what a step changes; everything else is rebuilt from the
 //! same input. They carry no names: a reader of other types finds other numbers, so a file of them needs a version and a checksum.
 
 use serde::Serialize;
@@ -105,8 +105,8 @@ mod tests {
             assert!(decode::<Vec<f64>>("a test", &bytes[..cut]).is_err(), "{cut}");
         }
         let longer = [&bytes[..], &[0]].concat();
-        let told = decode::<Vec<f64>>("a test", &longer).expect_err("a byte too many").to_string();
-        assert_eq!(told, "the state of a test cannot be read: 1 bytes are left over");
+        let said = decode::<Vec<f64>>("a test", &longer).expect_err("a byte too many").to_string();
+        assert_eq!(said, "the state of a test cannot be read: 1 bytes are left over");
         assert!(decode::<Vec<f64>>("a test", &[255, 255, 255, 255, 255, 255, 255, 255, 127, 0]).is_err());
     }
 }

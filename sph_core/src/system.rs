@@ -37,11 +37,11 @@ pub struct ParticleSystem {
     pub(crate) evaluated_at: f64,
     /// Steps taken.
     pub(crate) steps: u64,
-    /// Where coarse particles are split when the lists are made anew (THEORY WC21).
+    /// Where coarse particles are split when the lists are rebuilt (THEORY WC21).
     pub(crate) refinement_zone: Option<RefinementZone>,
     /// Force of the tank on the water beside that of its wall particles (THEORY PR18) [N/m]; of the last step.
     pub(crate) force_of_tank: [f64; 2],
-    /// A particle was moved outside a step: lists are to be made anew.
+    /// A particle was moved outside a step: lists must be rebuilt.
     pub(crate) displaced: bool,
     /// Positions at the start of the step [m], by identity; empty without thin plates (WA11).
     pub(crate) start_positions: Vec<[f64; 2]>,
@@ -88,7 +88,7 @@ impl ParticleSystem {
         !self.displaced && self.neighbours.holds(&self.particles, &self.packed.kinematics(walls), self.evaluated_at)
     }
 
-    /// Make the lists anew, to last about `life` seconds, with a `skin` [h] of particles at rest; a saved state keeps those it was saved
+    /// Rebuild the lists, to last about `life` seconds, with a `skin` [h] of particles at rest; a saved state keeps those it was saved
     /// with.
     pub(crate) fn rebuild_lists(&mut self, walls: &Walls, life: f64, skin: f64) {
         self.displaced = false;

@@ -34,7 +34,7 @@ mod tests {
     }
 
     #[test]
-    fn other_encodings_are_told_with_their_line() {
+    fn other_encodings_are_reported_with_their_line() {
         let folder = temp_dir::TempDir::new().expect("a folder");
         let path = folder.path().join("latin.toml");
         fs::write(&path, b"name = \"a\"\ndescription = \"Aufprall, schr\xe4g\"\n").expect("a file");

@@ -28,6 +28,6 @@ pub(super) fn prepare(given: &mut Value, scene_file: &str) -> Result<Prepared, P
     stations::settle(given, from_file.as_ref().map(|settled| &settled.stations).or(written.as_ref()))?;
     structure_file::settle(given, &structures)?;
     notes.extend(structures.iter().flat_map(|file| file.notes().to_vec()));
-    notes.extend(from_file.iter().flat_map(|settled| settled.told.clone()));
+    notes.extend(from_file.iter().flat_map(|settled| settled.notes.clone()));
     Ok(Prepared { outline: from_file.map(|settled| settled.report), notes })
 }

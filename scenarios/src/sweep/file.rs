@@ -195,7 +195,7 @@ mod tests {
     }
 
     #[test]
-    fn mistakes_are_told_with_their_line() {
+    fn mistakes_are_reported_with_their_line() {
         for (text, expected) in [
             ("scene = \"wedgy\"", "s.toml:1: `scene` = \"wedgy\": expected a built-in name"),
             ("[grid]\na = [1]", "s.toml:1: expected `scene = \"NAME\"`"),

@@ -13,9 +13,9 @@ use super::program::Program;
 
 /// A point whose process dies so often has failed.
 const ATTEMPTS: usize = 2;
-/// What a process is told on its standard input to end after the present step.
+/// What a process is notes on its standard input to end after the present step.
 pub const STOP: &str = "stop";
-/// A process that was told to stop and has not is killed after this time.
+/// A process that was notes to stop and has not is killed after this time.
 const GRACE: Duration = Duration::from_secs(20);
 
 /// A pool of processes.
@@ -30,7 +30,7 @@ pub struct Pool<'a> {
     pub threads: usize,
     /// Set from outside to end all processes.
     pub stop: &'a AtomicBool,
-    /// Told the id of each point that ended and how; `None` for one that was stopped.
+    /// Receives the id of each point that ended and how; `None` for one that was stopped.
     pub ended: &'a (dyn Fn(&str, Option<&Outcome>) + Sync),
 }
 
@@ -90,7 +90,7 @@ impl Pool<'_> {
         Ok(Some(outcome))
     }
 
-    /// Start a process and wait for its end; told to stop, it ends after the present step.
+    /// Start a process and wait for its end; notes to stop, it ends after the present step.
     fn process(&self, id: &str, point: &PointFolder) -> Result<ExitStatus, SweepError> {
         let path = point.file("stderr.txt");
         let stderr = File::create(&path).map_err(|e| SweepError::write(&path, e))?;

@@ -152,8 +152,8 @@ fn chart(collected: &Collected, name: &str, axis: usize) -> Option<Chart> {
         let own_spots = spots.iter().filter(|spot| group(spot) == own);
         let shown = own_spots.filter(|spot| verdict.is_none_or(|wanted| verdict_of(spot.number) == wanted));
         let points = shown.map(|spot| [spot.x, quantity.scale * spot.number.value]);
-        let told = [(&colours, own[0]), (&dashes, own[1])].into_iter().take(if lined { 2 } else { 1 });
-        let labels = told.map(|(levels, k)| levels.label(collected, k)).filter(|label| !label.is_empty());
+        let notes = [(&colours, own[0]), (&dashes, own[1])].into_iter().take(if lined { 2 } else { 1 });
+        let labels = notes.map(|(levels, k)| levels.label(collected, k)).filter(|label| !label.is_empty());
         let label = labels.collect::<Vec<_>>().join(", ");
         Curve::new(label, mark, points).painted(Paint {
             colour: Some(colours.colour(own[0])),

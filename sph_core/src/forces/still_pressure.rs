@@ -64,7 +64,7 @@ impl StillPressure {
         parallel::update(&mut system.packed.walls, less);
     }
 
-    /// −m ∇P/ρ₀ on the fluid, −∫P n ds on closed outlines; the tank bears the rest (WC29).
+    /// −m ∇P/ρ₀ on the fluid, −∫P n ds on closed outlines; the tank carries the rest (WC29).
     pub fn act(&self, system: &mut ParticleSystem, walls: &mut Walls, forces: &mut Forces) {
         let (p, inverse) = (&system.particles, 1.0 / system.domain.fluid.density);
         let on_fluid = |k: usize| self.at(p.x[k], p.y[k]).1.map(|slope| -inverse * p.mass[k] * slope);

@@ -1,4 +1,4 @@
-//! Density filters (THEORY LE6, LE7): every so many steps the density field is smoothed, as the thesis's
+//! Density filters (THEORY LE6, LE7): at a regular number of steps the density field is smoothed, as the thesis's
 //! `i_densityFilter` has it. Fluid neighbours only.
 
 use crate::interactions::packed_particle::PackedParticle;

@@ -34,7 +34,7 @@ fn set_state(p: &mut Particles, k: usize, [x, y]: [f64; 2], [u, v, rho, energy]:
     }
 }
 
-/// The state at n, by identity: the particles may be sorted anew before it is needed.
+/// The state at n, by identity: the particles may be sorted again before it is needed.
 pub(crate) struct Old(Vec<[f64; 6]>);
 
 impl Old {
@@ -53,7 +53,7 @@ impl Old {
     }
 }
 
-/// What the step before left: by identity, since the particles may be sorted anew in between; walls in their own order.
+/// What the step before left: by identity, since the particles may be sorted again in between; walls in their own order.
 #[derive(Clone, Default, Serialize, Deserialize)]
 pub(crate) struct History {
     /// Length of that step [s]; 0 before the first.

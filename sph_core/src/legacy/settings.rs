@@ -54,7 +54,7 @@ pub enum DensityEvolution {
     /// WC3: advanced with the divergence of velocity.
     #[default]
     Continuity,
-    /// LE13: counted anew from masses (M. Pilorget 2010, eq. 13). Low where neighbours are missing.
+    /// LE13: counted from masses in each step (M. Pilorget 2010, eq. 13). Low where neighbours are missing.
     Summation,
 }
 

@@ -30,7 +30,7 @@ impl Entry {
     }
 }
 
-/// A list may hold on to one part in so many more than it needs.
+/// A list may hold on to this part more than it needs.
 const SPARE: usize = 8;
 
 /// Entries of the clusters of a chunk, with little to spare: they are much of the memory.

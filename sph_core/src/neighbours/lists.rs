@@ -172,7 +172,7 @@ impl Lists {
         self.targets
     }
 
-    /// An error unless these are lists of so many targets, among so many points.
+    /// An error unless these are lists of this number of targets, among this number of points.
     pub(crate) fn check(&self, targets: usize, points: usize) -> Result<(), StateError> {
         expect_count("targets of lists", self.targets, targets)?;
         expect_count("chunks of lists", self.chunks.len(), targets.div_ceil(CHUNK))?;

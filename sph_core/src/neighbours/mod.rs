@@ -1,4 +1,4 @@
-//! Neighbour lists for fluid and walls, images included, made anew when a particle has gone farther astray than its skin.
+//! Neighbour lists for fluid and walls, images included, rebuilt when a particle has gone farther astray than its skin.
 
 pub mod cells;
 mod entries;

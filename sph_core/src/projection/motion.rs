@@ -11,7 +11,7 @@ const LONGEST_SHIFT: f64 = 0.05;
 pub(super) const FREE_FALL: f64 = 0.25;
 /// Share of h²/ν a step may take (WC12; Morris et al. 1997).
 const VISCOUS: f64 = 0.125;
-/// A step is at most so many times the one before: pressures go with 1/Δt.
+/// A step is at most this multiple of the one before: pressures go with 1/Δt.
 const GROWTH: f64 = 1.1;
 /// A particle that needs a step this many times below the limit by known speeds and free fall means breakdown.
 const COLLAPSE: f64 = 1e-3;

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::particles::Particles;
 
-/// The middle line of a thin wall, moving; its owner gives it anew for every step.
+/// The middle line of a thin wall, moving; its owner gives it for every step.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct PlateMidline {
     /// Corners of the line at the end of the step [m].

@@ -102,7 +102,7 @@ pub(crate) fn settle(flow: &mut Flow<'_>, settling: Option<f64>, mut evaluate_fo
 }
 
 /// WC10 before time starts: shift until the largest shift is 10⁻⁴ h, so that Σ V ∇W vanishes where rows grow. Particles of one
-/// size stay where they are. `evaluate_forces` finds the kernel moments anew.
+/// size stay where they are. `evaluate_forces` computes the kernel moments again.
 fn shift_before_start(flow: &mut Flow<'_>, settling: f64, mut evaluate_forces: impl FnMut(&mut Flow<'_>)) {
     let h = &flow.system.particles.h;
     if h.iter().all(|&one| (one / h[0] - 1.0).abs() < 1e-9) {

@@ -53,7 +53,7 @@ impl Bounds {
     }
 }
 
-/// Make the lists anew, to last some steps of Δt = C h/(c + |v|) [s] of all particles; `sound_speed` of each [m/s].
+/// Rebuild the lists, to last some steps of Δt = C h/(c + |v|) [s] of all particles; `sound_speed` of each [m/s].
 pub(crate) fn rebuild_lists(
     system: &mut ParticleSystem,
     walls: &Walls,

@@ -41,7 +41,7 @@ impl Drawing {
     }
 
     /// What was left out, or may be one line too many, in sentences.
-    pub fn told(&self) -> Vec<String> {
+    pub fn notes(&self) -> Vec<String> {
         let hidden = (self.hidden > 0).then(|| format!("{} hidden lines are left out", self.hidden));
         let defined = (self.defined > 0)
             .then(|| format!("{} lines in definitions (defs, symbol, clipPath, ...) are left out", self.defined));

@@ -304,12 +304,12 @@ mod tests {
         };
         let of = |text: &str, layer| parse(text, layer).expect("a drawing");
         let hidden = of(&file(-7), None);
-        assert_eq!((hidden.pieces.len(), hidden.hidden, hidden.told().len()), (1, 1, 1));
-        assert!(hidden.told()[0].contains("1 hidden"), "{:?}", hidden.told());
+        assert_eq!((hidden.pieces.len(), hidden.hidden, hidden.notes().len()), (1, 1, 1));
+        assert!(hidden.notes()[0].contains("1 hidden"), "{:?}", hidden.notes());
         let both = of(&file(7), None);
-        assert!(both.pieces.len() == 2 && both.told()[0].contains("hull, aids"), "{:?}", both.told());
+        assert!(both.pieces.len() == 2 && both.notes()[0].contains("hull, aids"), "{:?}", both.notes());
         let one = of(&file(-7), Some("AIDS"));
-        assert_eq!((one.pieces.len(), one.pieces[0][0].1, one.told().len()), (1, [0.0, 5.0], 0));
+        assert_eq!((one.pieces.len(), one.pieces[0][0].1, one.notes().len()), (1, [0.0, 5.0], 0));
         let none = parse(&file(7), Some("deck")).expect_err("no such layer");
         assert!(none.expected.contains("hull, aids"), "{none:?}");
     }
@@ -334,8 +334,8 @@ mod tests {
         }
         assert_eq!(of("0").expect("a drawing").unit, None);
         assert_eq!(of("17").expect_err("gigametres").line, 8);
-        let told = text.replace("70\n4\n", "999\n4\n70\n6\n");
-        assert_eq!(parse(&told, None).expect("a drawing with a comment").unit, Some(1.0));
+        let notes = text.replace("70\n4\n", "999\n4\n70\n6\n");
+        assert_eq!(parse(&notes, None).expect("a drawing with a comment").unit, Some(1.0));
     }
 
     #[test]

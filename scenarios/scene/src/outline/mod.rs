@@ -62,7 +62,7 @@ pub(super) struct Settled {
     pub report: OutlineReport,
     pub stations: Stations,
     /// What was left out of the file, in sentences.
-    pub told: Vec<String>,
+    pub notes: Vec<String>,
 }
 
 /// Replaces `body.outline` by the points of the file that it names.
@@ -138,7 +138,7 @@ fn read(file: &DataFile, layer: Option<&str>) -> Result<Drawing, Fault> {
 fn understood(file: &DataFile, asked: &Asked, closed: bool) -> Result<(Vec<[f64; 2]>, Settled), Fault> {
     let Asked { unit, layer } = *asked;
     let drawing = read(file, layer)?;
-    let told = drawing.told().into_iter().map(|what| format!("{KEY} {:?}: {what}", file.name)).collect();
+    let notes = drawing.notes().into_iter().map(|what| format!("{KEY} {:?}: {what}", file.name)).collect();
     if let (Some(wanted), Some(stated), Some(line)) = (unit, drawing.unit, drawing.unit_line)
         && (wanted - stated).abs() > 1e-9 * wanted
     {
@@ -198,7 +198,7 @@ fn understood(file: &DataFile, asked: &Asked, closed: bool) -> Result<(Vec<[f64;
         bounding_box_m: [low, high],
         area_m2: closed.then(|| polygon::signed_area(&points)),
     };
-    Ok((points, Settled { report, stations: Stations { points: stations, reversed, closed }, told }))
+    Ok((points, Settled { report, stations: Stations { points: stations, reversed, closed }, notes }))
 }
 
 /// Refuses an outline that crosses or touches itself, with the place and the lines of both sides.
@@ -227,12 +227,12 @@ impl OutlineReport {
     pub fn to_text(&self) -> String {
         let [low, high] = self.bounding_box_m.map(|corner| corner.map(significant));
         let area = self.area_m2.map_or(String::new(), |area| format!(", area {} m²", significant(area)));
-        let mut told = vec![match self.duplicates_merged {
+        let mut notes = vec![match self.duplicates_merged {
             0 => "no point twice".to_string(),
             count => format!("{count} repeated points merged"),
         }];
-        told.push(if self.orientation_changed { "turned counter-clockwise".into() } else { "order kept".into() });
-        told.extend(self.closed_by_side_m.map(|side| format!("closed by a straight side of {} m", significant(side))));
+        notes.push(if self.orientation_changed { "turned counter-clockwise".into() } else { "order kept".into() });
+        notes.extend(self.closed_by_side_m.map(|side| format!("closed by a straight side of {} m", significant(side))));
         format!(
             "outline      {} ({}, unit {} m): {} points in the file, {} used; {}\n             x from {} to {} m, y from {} to {} m{area}",
             self.file,
@@ -240,7 +240,7 @@ impl OutlineReport {
             significant(self.unit_m),
             self.points_in_file,
             self.points,
-            told.join(", "),
+            notes.join(", "),
             low[0],
             high[0],
             low[1],

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::acoustics::{Medium, largest_courant};
 use super::lattice::{gain_of_pairs, kernel_sum, neighbours};
 
-/// By so many spacings a cylinder seems smaller to a shove of one step (CO25) [-].
+/// A cylinder seems smaller by this number of spacings to a shove of one step (CO25) [-].
 const SHORT_RADIUS: f64 = 0.8;
 
 /// A formula for the boundary of stability.

@@ -84,7 +84,7 @@ impl Scheme for Thesis {
         self.gather_viscosity(system, walls, &mut forces);
         system.timers.begin(Phase::Pressure);
         let trial = self.predict(system, &forces, dt);
-        (system.particles.ax, system.particles.ay) = (forces.x, forces.y); // to be written anew
+        (system.particles.ax, system.particles.ay) = (forces.x, forces.y); // to be written again
         self.advance(system, walls, trial)
     }
 

@@ -120,7 +120,7 @@ impl Matrix {
             }
             let next = dot(&shadow, &r);
             if next.abs() < 1e-14 * dot(&shadow, &shadow).sqrt() * dot(&r, &r).sqrt() {
-                // the shadow has become orthogonal: begin anew from here
+                // the shadow has become orthogonal: begin again from here
                 shadow.clone_from(&r);
                 p.fill(0.0);
                 v.fill(0.0);

@@ -1,4 +1,4 @@
-//! The unilateral condition at the free surface: rows that bear no tension, and air that comes in under tension (THEORY PR8).
+//! The unilateral condition at the free surface: rows that have no tension, and air that comes in under tension (THEORY PR8).
 
 use serde::{Deserialize, Serialize};
 
@@ -9,17 +9,17 @@ use crate::projection::linear_solver::matrix::MatrixRows;
 /// What a row leaves of the equation needs a further solve from this share of the strongest source on [-].
 const WORTH: f64 = 1e-3;
 
-/// Rows that were constrained in so many steps start constrained in the next.
+/// Rows that were constrained in this number of steps start constrained in the next.
 const LASTING: u8 = 2;
 
-/// PR8: the rows that are held at p = 0, since they bear no tension.
+/// PR8: the rows that are held at p = 0, since they have no tension.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub(crate) struct ActiveSet {
     /// Rows held at p = 0.
     pub constrained: Vec<bool>,
     /// How many they are.
     pub count: usize,
-    /// Rows that bear no tension, as found so far in this step.
+    /// Rows that have no tension, as found so far in this step.
     tensionless: Vec<bool>,
     /// For how many steps each particle's row has been constrained, by identity.
     duration: Vec<u8>,
@@ -98,13 +98,13 @@ impl ActiveSet {
         }
     }
 
-    /// PR8: constrain the rows under tension that bear none; returns the new ones, and their tension [Pa].
+    /// PR8: constrain the rows under tension that may have none; returns the new ones, and their tension [Pa].
     pub fn constrain(&mut self, pressure: &mut [f64], surface: Surface) -> Vec<(usize, f64)> {
         self.find_tensionless(pressure, surface);
         self.hold(pressure)
     }
 
-    /// Constrain the rows under tension among those found to bear none; returns the new ones, and their tension [Pa].
+    /// Constrain the rows under tension among those found to have none; returns the new ones, and their tension [Pa].
     fn hold(&mut self, pressure: &mut [f64]) -> Vec<(usize, f64)> {
         let mut new = Vec::new();
         for (k, p) in pressure.iter_mut().enumerate() {

@@ -65,7 +65,7 @@ impl SurfaceDetection {
 }
 
 impl SurfaceDetection {
-    /// PR5: a wall particle whose mirror point is air is dry: it fills nothing and bears no pressure.
+    /// PR5: a wall particle whose mirror point is air is dry: it fills nothing and has no pressure.
     pub(crate) fn mark_dry_walls(&mut self, system: &mut ParticleSystem, walls: &Walls) {
         let ratio = system.domain.fluid.smoothing_ratio;
         let n = walls.len();

@@ -87,7 +87,7 @@ impl Hierarchy {
         }
     }
 
-    /// Keep what serves, else make it anew.
+    /// Keep what serves, else rebuild it.
     pub fn prepare(&mut self, a: &impl MatrixRows, x: &[f64], y: &[f64], h: &[f64]) {
         self.now_at.clear();
         self.now_at.extend(x.iter().zip(y).map(|(&x, &y)| [x, y]));

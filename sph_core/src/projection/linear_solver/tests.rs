@@ -231,7 +231,7 @@ fn a_clone_goes_on_to_the_same_bits() {
     assert_eq!(solver.set_ups(), 1);
 }
 
-/// Rows that stand in another order are known by name: nothing is made anew, and the iterations are as many.
+/// Rows that stand in another order are known by name: nothing is rebuilt, and the iterations are as many.
 #[test]
 fn rows_in_another_order_keep_their_hierarchy() {
     let mut random = SplitMix64(7);

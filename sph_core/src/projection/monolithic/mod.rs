@@ -17,7 +17,7 @@ use crate::projection::linear_solver::cluster_matrix::ClusterMatrix;
 use crate::walls::interface::{InterfaceResidual, WallInterface};
 use crate::walls::{WallForces, Walls};
 
-/// Up to so many unknowns each gets its own response; more are searched along residuals (CO22).
+/// Up to this number of unknowns each gets its own response; more are searched along residuals (CO22).
 const FEW: usize = 6;
 /// Residuals along which is searched in a solve, at most.
 const MOST: usize = 40;

@@ -108,7 +108,7 @@ impl SplitExplicit {
     fn advance(&mut self, flow: &mut Flow<'_>, dt: f64) {
         if self.advective.is_over(dt) {
             self.begin_advective_step(flow, dt);
-            self.accelerate_anew(flow); //              a, F of p, with the weights that the step holds
+            self.accelerate_again(flow); //              a, F of p, with the weights that the step holds
         }
         let half = 0.5 * dt;
         self.kick(flow.system, half); //                v½ = v + ½δt a
@@ -174,7 +174,7 @@ impl SplitExplicit {
 
     /// WC5, WA3, WA6 of the present pressures with the geometry just held: energy passes between motion and pressure by one set of
     /// weights in all of an advective step.
-    fn accelerate_anew(&mut self, flow: &mut Flow<'_>) {
+    fn accelerate_again(&mut self, flow: &mut Flow<'_>) {
         self.kick(flow.system, 0.0); // the rows of the particles and images of now
         self.pressure.iter_mut().zip(&self.rows).for_each(|(p, row)| *p = row.p);
         self.evaluate_walls(flow);

@@ -146,8 +146,8 @@ fn a_drawing_of_inkscape_is_read() {
     let exact = 800.0 - (2.0 - PI / 2.0) * 100.0;
     assert!((size / exact - 1.0).abs() < 1e-3, "{size}");
     assert_eq!(drawing.pieces[0][0].0, text.lines().position(|line| line.contains("d=\"m 20")).expect("a path") + 1);
-    let told = drawing.told();
-    assert!(told.len() == 1 && told[0].starts_with("1 lines in definitions"), "{told:?}");
+    let notes = drawing.notes();
+    assert!(notes.len() == 1 && notes[0].starts_with("1 lines in definitions"), "{notes:?}");
 }
 
 /// Flags of an arc without separators: https://github.com/svg/svgo/issues/822
@@ -195,7 +195,7 @@ fn hidden_groups_are_left_out_and_a_group_can_be_chosen() {
     );
     let all = parse(&text, None).expect("a drawing");
     assert_eq!((all.pieces.len(), all.hidden), (1, 2));
-    assert!(all.told()[0].contains("2 hidden"), "{:?}", all.told());
+    assert!(all.notes()[0].contains("2 hidden"), "{:?}", all.notes());
     for name in ["hull", "g1"] {
         assert_eq!(parse(&text, Some(name)).expect("a group").pieces, all.pieces);
     }
