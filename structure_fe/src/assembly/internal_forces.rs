@@ -68,7 +68,7 @@ impl System {
             let others = yielded.as_ref().map(|yielded| &yielded.forces);
             add_ends(forces, nodes, &chord.to_global(&chord.elastic_forces(element, others)));
             if let Some((factor, arms, matrix)) = &mut tangent {
-                let mut local = EndsMatrix::zeros();
+                let mut local = EndsMatrix::ZERO;
                 add_elastic_tangent(element, &chord, others.unwrap_or(&[0.0; 3]), *factor, &mut local);
                 if let Some(yielded) = yielded {
                     add_deformation_matrix(&chord, &yielded.tangent, *factor, &mut local);
@@ -174,7 +174,7 @@ impl System {
             for (nodes, element) in self.beam.constants() {
                 let chord = Chord::new(element, &self.beam.ends(nodes, q));
                 let [axial, arc, ess] = element.stiffness;
-                let mut local = EndsMatrix::zeros();
+                let mut local = EndsMatrix::ZERO;
                 add_deformation_matrix(&chord, &[axial, 0.0, 0.0, arc, 0.0, ess], factor, &mut local);
                 self.add_matrix(nodes, &chord.matrix_to_global(&local), arms, matrix);
             }
@@ -192,7 +192,7 @@ impl System {
             let (nodes, element) = constants[pressure.element];
             let chord = Chord::new(element, &self.beam.ends(nodes, q));
             let local = pressure.local_forces(element);
-            let mut tangent = EndsMatrix::zeros();
+            let mut tangent = EndsMatrix::ZERO;
             let [c, s] = chord.direction;
             for end in [0, 3] {
                 // F = f (-Y, X)/L of the chord vector (X, Y), M = m (X^2 + Y^2)/L^2.

@@ -113,7 +113,7 @@ impl System {
 /// Section forces at the two ends of every element at small displacements.
 pub(crate) fn linear_section_forces(beam: &Beam, u: &[[f64; 3]], own_loads: &[Ends]) -> Vec<[SectionForces; 2]> {
     let elements = beam.constants().zip(own_loads);
-    let at_ends = |((nodes, element), load): (([usize; 2], &ElementConstants), &Ends)| {
+    let at_ends = |((nodes, element), &load): (([usize; 2], &ElementConstants), &Ends)| {
         let elastic = element.elastic_forces(&beam.ends(nodes, u));
         SectionForces::at_ends(&element.to_local(&(elastic - load)))
     };

@@ -9,7 +9,7 @@
 //! file is for small displacements; `corotational.rs` adds arbitrary rotations.
 
 use super::ends::{Ends, EndsMatrix, end_forces, rotate};
-use super::mass::consistent_mass;
+use super::mass::{consistent_mass, mass_times};
 use super::plastic::PlasticElement;
 use crate::material::{Material, Section};
 use serde::{Deserialize, Serialize};
@@ -115,18 +115,18 @@ impl ElementConstants {
 
     /// Stiffness matrix K = B^T D B in the global axes.
     pub fn stiffness(&self) -> EndsMatrix {
-        columns(|unit| self.elastic_forces(unit))
+        EndsMatrix::of(|unit| self.elastic_forces(unit))
     }
 
     /// Consistent mass matrix in the global axes (THEORY BE5).
     pub fn global_mass(&self) -> EndsMatrix {
-        columns(|unit| self.to_global(&(self.mass * self.to_local(unit))))
+        EndsMatrix::of(|unit| self.to_global(&mass_times(&self.mass, &self.to_local(unit))))
     }
 
     /// Kinetic energy v^T M v/2 \[J\] of the end velocities.
     pub fn kinetic_energy(&self, v: &Ends) -> f64 {
         let local = self.to_local(v);
-        0.5 * local.dot(&(self.mass * local))
+        0.5 * local.dot(&mass_times(&self.mass, &local))
     }
 
     /// Consistent end forces of a load that varies linearly from `start` to `end`, both in the
@@ -134,7 +134,7 @@ impl ElementConstants {
     ///
     /// Minus these are the forces of the fixed ends.
     pub fn load_forces(&self, start: [f64; 2], end: [f64; 2]) -> Ends {
-        let local = self.to_local(&Ends::new(start[0], start[1], 0.0, end[0], end[1], 0.0));
+        let local = self.to_local(&Ends([start[0], start[1], 0.0, end[0], end[1], 0.0]));
         self.to_global(&self.local_load_forces([local[0], local[1]], [local[3], local[4]]))
     }
 
@@ -148,7 +148,7 @@ impl ElementConstants {
             length.powi(2) * ((3.0 * near + 2.0 * far) / 60.0 + phi * (near + far) / 24.0) / (1.0 + phi)
         };
         let axial = |near: f64, far: f64| length / 6.0 * (2.0 * near + far);
-        Ends::new(axial(n1, n2), force(q1, q2), moment(q1, q2), axial(n2, n1), force(q2, q1), -moment(q2, q1))
+        Ends([axial(n1, n2), force(q1, q2), moment(q1, q2), axial(n2, n1), force(q2, q1), -moment(q2, q1)])
     }
 
     /// End values of the global axes in the element's axes: along it, and across it to the left.
@@ -162,9 +162,4 @@ impl ElementConstants {
         let [c, s] = self.tangent;
         rotate(local, c, s)
     }
-}
-
-/// The matrix of a linear map: its columns are the images of the unit vectors.
-fn columns(map: impl Fn(&Ends) -> Ends) -> EndsMatrix {
-    EndsMatrix::from_columns(&std::array::from_fn::<_, 6, _>(|j| map(&Ends::ith(j, 1.0))))
 }

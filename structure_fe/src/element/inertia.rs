@@ -38,7 +38,7 @@ pub(crate) struct Motion {
 /// J x: the vectors of both ends rotated by a quarter turn to the left, the derivative of a rotation at zero.
 #[inline]
 fn quarter_turn(x: &Ends) -> Ends {
-    Ends::new(-x[1], x[0], 0.0, -x[4], x[3], 0.0)
+    Ends([-x[1], x[0], 0.0, -x[4], x[3], 0.0])
 }
 
 /// dM/dalpha x = J M x - M J x.
@@ -51,7 +51,7 @@ fn mass_by_angle(mass: &EndsMatrix, x: &Ends) -> Ends {
 #[inline]
 fn angle_gradient(chord: &Chord) -> Ends {
     let y = 1.0 / chord.length;
-    Ends::new(0.0, -y, 0.0, 0.0, y, 0.0)
+    Ends([0.0, -y, 0.0, 0.0, y, 0.0])
 }
 
 /// Internal forces of a moving element: inertia, damping and elasticity, in the global axes
@@ -172,6 +172,6 @@ fn add_change_of_rates(chord: &Chord, v: &Ends, d: &[f64; 3], weight: f64, sum: 
 pub(crate) fn momentum(element: &ElementConstants, q: &Ends, v: &Ends) -> (f64, Ends) {
     let chord = Chord::new(element, q);
     let local = chord.to_local(v);
-    let momentum = element.mass * local;
+    let momentum = mass_times(&element.mass, &local);
     (0.5 * local.dot(&momentum), chord.to_global(&momentum))
 }

@@ -23,20 +23,20 @@ pub(crate) fn consistent_mass(mass: f64, length: f64, shear_parameter: f64, radi
     let m14 = -sum([13.0 / 420.0, 3.0 / 40.0, 1.0 / 24.0], [-1.0 / 10.0, 1.0 / 2.0, 0.0]) * length;
     let m22 = sum([1.0 / 105.0, 1.0 / 60.0, 1.0 / 120.0], [2.0 / 15.0, 1.0 / 6.0, 1.0 / 3.0]) * squared;
     let m24 = -sum([1.0 / 140.0, 1.0 / 60.0, 1.0 / 120.0], [1.0 / 30.0, 1.0 / 6.0, -1.0 / 6.0]) * squared;
-    EndsMatrix::new(
-        own,   0.0,  0.0,  other, 0.0,  0.0,
-        0.0,   m11,  m12,  0.0,   m13,  m14,
-        0.0,   m12,  m22,  0.0,  -m14,  m24,
-        other, 0.0,  0.0,  own,   0.0,  0.0,
-        0.0,   m13, -m14,  0.0,   m11, -m12,
-        0.0,   m14,  m24,  0.0,  -m12,  m22,
-    )
+    EndsMatrix([
+        [own,   0.0,  0.0,  other, 0.0,  0.0],
+        [0.0,   m11,  m12,  0.0,   m13,  m14],
+        [0.0,   m12,  m22,  0.0,  -m14,  m24],
+        [other, 0.0,  0.0,  own,   0.0,  0.0],
+        [0.0,   m13, -m14,  0.0,   m11, -m12],
+        [0.0,   m14,  m24,  0.0,  -m12,  m22],
+    ])
 }
 
 /// M v of a mass matrix in the element's axes, without its blocks of zeros.
 #[inline]
 pub(crate) fn mass_times(mass: &EndsMatrix, v: &Ends) -> Ends {
-    Ends::from_fn(|i, _| match i % 3 {
+    Ends::from_fn(|i| match i % 3 {
         0 => mass[(i, 0)] * v[0] + mass[(i, 3)] * v[3],
         _ => mass[(i, 1)] * v[1] + mass[(i, 2)] * v[2] + mass[(i, 4)] * v[4] + mass[(i, 5)] * v[5],
     })

@@ -90,7 +90,7 @@ impl<'a> DiscreteGradient<'a> {
         let bent = (self.weight - 0.5) * (for_arc * change[1].powi(2) + for_ess * change[2].powi(2));
         let flown = self.flow.map_or(0.0, |flow| flow.dissipated);
         MeanForces {
-            forces: Ends::new(-x, -y, 0.5 * (ess + arc), x, y, 0.5 * (ess - arc)),
+            forces: Ends([-x, -y, 0.5 * (ess + arc), x, y, 0.5 * (ess - arc)]),
             dissipated: (self.weight - 0.5) * stretched + bent + flown,
         }
     }
@@ -151,7 +151,7 @@ impl<'a> DiscreteGradient<'a> {
             rows[2][k] = 0.5 * (m_ess + m_arc);
             rows[3][k] = 0.5 * (m_ess - m_arc);
         }
-        let mut matrix = EndsMatrix::zeros();
+        let mut matrix = EndsMatrix::ZERO;
         // The chord vector is the position of the second end minus that of the first.
         let places = [[(0, -1.0), (3, 1.0)], [(1, -1.0), (4, 1.0)], [(2, 1.0), (2, 0.0)], [(5, 1.0), (5, 0.0)]];
         for i in 0..4 {
@@ -185,7 +185,7 @@ mod tests {
         Section::rectangular(0.09, 0.1)
     }
 
-    const FROM: Ends = Ends::new(0.1, -0.2, 0.3, 0.12, -0.1, -0.1);
+    const FROM: Ends = Ends([0.1, -0.2, 0.3, 0.12, -0.1, -0.1]);
     fn step<'a>(
         element: &'a ElementConstants,
         before: &'a Ends,
@@ -196,7 +196,7 @@ mod tests {
         DiscreteGradient::new(element, Start { from: Chord::new(element, before), before, plastic }, to, weight)
     }
 
-    const TO: Ends = Ends::new(0.5, 0.3, 1.1, 0.2, 0.4, 0.6);
+    const TO: Ends = Ends([0.5, 0.3, 1.1, 0.2, 0.4, 0.6]);
 
     #[test]
     fn their_work_is_the_change_of_the_elastic_energy() {
@@ -215,7 +215,7 @@ mod tests {
             let there = chord(&TO);
             let mean = step(&element, &TO, None, &TO, 0.5).forces().forces;
             let exact = there.to_global(&end_forces(&deformation_forces(&element, &there.deformation), there.length));
-            for (mean, exact) in mean.iter().zip(&exact) {
+            for (mean, exact) in mean.0.iter().zip(exact.0) {
                 assert!((mean - exact).abs() < 1e-10 * exact.abs().max(1.0));
             }
         }

@@ -91,13 +91,13 @@ fn work_closes_through_yield() {
         let element = element(section, hard);
         let layers = element.plastic.as_ref().unwrap();
         let mut plastic = PlasticStrains::NONE;
-        let mut at = Ends::zeros();
+        let mut at = Ends::ZERO;
         for move_by in [
             [0.0, 0.0, 0.01, 1e-5, 1e-4, -0.02],
             [1e-4, 0.0, -0.3, 5e-4, -2e-3, 0.1],
             [0.0, 0.01, 0.2, -1e-3, 0.0, 0.1],
         ] {
-            let to = at + Ends::from_column_slice(&move_by);
+            let to = at + Ends(move_by);
             for weight in [0.5, 0.8] {
                 let start = Start { from: Chord::new(&element, &at), before: &at, plastic: Some(&plastic) };
                 let mean = DiscreteGradient::new(&element, start, &to, weight).forces();
@@ -114,8 +114,8 @@ fn work_closes_through_yield() {
             layers.update(&element, &deformation_at(&element, &to), &mut plastic);
             at = to;
         }
-        let small = Ends::new(0.0, 0.0, 1e-3, 1e-6, 1e-5, -1e-3);
-        let rest = Ends::zeros();
+        let small = Ends([0.0, 0.0, 1e-3, 1e-6, 1e-5, -1e-3]);
+        let rest = Ends::ZERO;
         let from = Chord::new(&element, &rest);
         let of = |plastic| DiscreteGradient::new(&element, Start { from, before: &rest, plastic }, &small, 0.6);
         let [with, without] = [Some(&PlasticStrains::NONE), None].map(of);

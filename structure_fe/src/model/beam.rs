@@ -194,7 +194,7 @@ impl Beam {
     pub(crate) fn ends(&self, [first, second]: [usize; 2], field: &[[f64; 3]]) -> Ends {
         assert_eq!(field.len(), self.nodes.len(), "one entry per node");
         let ([u1, w1, theta1], [u2, w2, theta2]) = (field[first], field[second]);
-        Ends::new(u1, w1, theta1, u2, w2, theta2)
+        Ends([u1, w1, theta1, u2, w2, theta2])
     }
 
     /// Computes the constants of all elements from their options.

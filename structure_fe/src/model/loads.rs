@@ -110,7 +110,7 @@ impl Loads {
 
     /// The same of a displaced model.
     pub(crate) fn element_forces_at(&self, beam: &Beam, displacement: &[[f64; 3]]) -> Vec<Ends> {
-        let mut forces = vec![Ends::zeros(); beam.elements().len()];
+        let mut forces = vec![Ends::ZERO; beam.elements().len()];
         let constants: Vec<_> = beam.constants().map(|(_, element)| element).collect();
         for load in &self.distributed {
             forces[load.element] += constants[load.element].load_forces(load.start, load.end);
@@ -121,7 +121,7 @@ impl Loads {
             let chord = Chord::new(element, &ends);
             let mut local = load.local_forces(element);
             let stretch = chord.length / element.length;
-            for (force, power) in local.iter_mut().zip([1, 1, 2, 1, 1, 2]) {
+            for (force, power) in local.0.iter_mut().zip([1, 1, 2, 1, 1, 2]) {
                 *force *= stretch.powi(power);
             }
             forces[load.element] += chord.to_global(&local);

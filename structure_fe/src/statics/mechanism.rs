@@ -5,7 +5,6 @@
 //! are examined together. This takes three unknowns per part. The pivots of a Cholesky factorisation do not decide it:
 //! the last one is rounding noise of either sign.
 
-use crate::element::Ends;
 use crate::error::Error;
 use crate::linear_algebra::connected_parts;
 use crate::model::{Beam, Supports, add_ends};
@@ -48,9 +47,7 @@ pub(crate) fn require_no_free_motion(beam: &Beam, supports: &Supports) -> Result
 fn restraint_of_degrees_of_freedom(beam: &Beam, supports: &Supports) -> Vec<[f64; 3]> {
     let mut elastic = vec![[0.0; 3]; beam.nodes().len()];
     for (nodes, element) in beam.constants() {
-        let stiffness = element.stiffness();
-        let diagonal: Ends = stiffness.diagonal();
-        add_ends(&mut elastic, nodes, &diagonal);
+        add_ends(&mut elastic, nodes, &element.stiffness().diagonal());
     }
     let mut restraint = vec![[0.0; 3]; elastic.len()];
     for spring in &supports.springs {

@@ -243,7 +243,7 @@ impl NonlinearStatics {
 
     /// Reactions and section forces of a displacement in equilibrium with `load_factor` times the loads.
     fn solution(&self, loads: &Loads, load_factor: f64, Equilibrium { u, plastic }: Equilibrium) -> StaticSolution {
-        let own: Vec<_> = loads.element_forces_at(self.beam(), &u).iter().map(|ends| load_factor * ends).collect();
+        let own: Vec<_> = loads.element_forces_at(self.beam(), &u).iter().map(|&ends| load_factor * ends).collect();
         let mut load = self.load(loads, &u);
         load.as_flattened_mut().iter_mut().for_each(|value| *value *= load_factor);
         let mut internal = self.zero.clone();
