@@ -1,7 +1,7 @@
 //! Smoothing kernels (THEORY OP2): W(r, h) = α/h² w(q), q = r/h, support q < 2.
 //!
 //! Adding a kernel touches this file only: a unit struct with its [`Shape`], a variant of [`Kernel`], its entry in [`Kernel::ALL`] and its arm in
-//! [`Kernel::run`]. Rules that name single kernels, such as limits of steps, are in the crate `scene`, `validity`.
+//! [`Kernel::run`]. Rules that name single kernels, such as limits of steps, are in the crate `scene`: `resolve` and `validity`.
 
 use std::f64::consts::PI;
 

@@ -53,6 +53,11 @@ pub enum Said {
 }
 
 impl Said {
+    /// All that may be said.
+    pub fn all() -> impl Iterator<Item = Said> {
+        Verdict::all().map(Said::Of).chain([Said::Beyond])
+    }
+
     /// On a page.
     pub fn words(self) -> &'static str {
         match self {

@@ -153,18 +153,21 @@ fn report_of(point: &PointResult) -> Option<String> {
     id.map(|id| format!("{}/report.html", folder_of(id)))
 }
 
-/// Marks of the verdicts, for the table of points.
-const MARKS: [(Said, &str); 4] = [
-    (Said::Of(Verdict::Acoustic), "~"),
-    (Said::Of(Verdict::NotResolved), "?"),
-    (Said::Of(Verdict::NoBand), "*"),
-    (Said::Beyond, "!"),
-];
+/// The mark of a number in the table of points; none where nothing speaks against it.
+fn mark(said: Said) -> &'static str {
+    match said {
+        Said::Of(Verdict::Resolved) => "",
+        Said::Of(Verdict::Acoustic) => "~",
+        Said::Of(Verdict::NotResolved) => "?",
+        Said::Of(Verdict::NoBand) => "*",
+        Said::Beyond => "!",
+    }
+}
 
 /// A number with its band and its mark.
 fn marked(quantity: &Quantity, number: &Number) -> String {
-    let marks = MARKS.iter().filter(|(said, _)| number.said().any(|own| own == *said));
-    let marks: String = marks.map(|(_, mark)| format!(" {mark}")).collect();
+    let said = Said::all().filter(|said| number.said().any(|own| own == *said));
+    let marks: String = said.map(mark).filter(|mark| !mark.is_empty()).map(|mark| format!(" {mark}")).collect();
     format!("{}{marks}", quantity.banded(number))
 }
 
@@ -229,8 +232,8 @@ fn points(collected: &Collected) -> Vec<Block> {
         let mut numbers = listed().flat_map(|point| point.numbers.values());
         numbers.any(|number| number.said().any(|own| own == said))
     };
-    let marks = MARKS.iter().filter(|(said, _)| has(*said));
-    let marks: Vec<String> = marks.map(|(said, mark)| format!("{mark} {}", said.words())).collect();
+    let marks = Said::all().filter(|said| has(*said) && !mark(*said).is_empty());
+    let marks: Vec<String> = marks.map(|said| format!("{} {}", mark(said), said.words())).collect();
     let marks = if marks.is_empty() { String::new() } else { format!(" Marks: {}.", marks.join(", ")) };
     let table = Table {
         title: format!("Points, with bands; the number leads to the report.{marks}"),

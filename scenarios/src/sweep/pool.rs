@@ -11,11 +11,11 @@ use super::error::SweepError;
 use super::folder::{KILLED, Outcome, PointFolder, State, SweepFolder};
 use super::program::Program;
 
-/// A point whose process dies so often has failed.
+/// Processes of a point that may die: then it has failed.
 const ATTEMPTS: usize = 2;
-/// What a process is notes on its standard input to end after the present step.
+/// The line sent to a process's standard input to make it end after the present step.
 pub const STOP: &str = "stop";
-/// A process that was notes to stop and has not is killed after this time.
+/// A process that did not stop at that line is killed after this time.
 const GRACE: Duration = Duration::from_secs(20);
 
 /// A pool of processes.
@@ -90,7 +90,7 @@ impl Pool<'_> {
         Ok(Some(outcome))
     }
 
-    /// Start a process and wait for its end; notes to stop, it ends after the present step.
+    /// Starts a process and waits for its end; where it must stop, it ends after the present step.
     fn process(&self, id: &str, point: &PointFolder) -> Result<ExitStatus, SweepError> {
         let path = point.file("stderr.txt");
         let stderr = File::create(&path).map_err(|e| SweepError::write(&path, e))?;

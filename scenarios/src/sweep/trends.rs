@@ -21,14 +21,16 @@ const WIDEST_BAND: f64 = 0.6;
 const RAMP: [[f64; 3]; 5] =
     [[47.0, 111.0, 214.0], [139.0, 92.0, 214.0], [204.0, 71.0, 148.0], [222.0, 99.0, 66.0], [199.0, 140.0, 0.0]];
 const GREY: Rgb = [128, 128, 128];
-/// Verdicts with their marks, and the form of the mark.
-const MARKS: [(Said, Mark, usize); 5] = [
-    (Said::Of(Verdict::Resolved), Mark::Points, 0),
-    (Said::Of(Verdict::NoBand), Mark::Hollow, 0),
-    (Said::Of(Verdict::NotResolved), Mark::Hollow, 2),
-    (Said::Of(Verdict::Acoustic), Mark::Hollow, 3),
-    (Said::Beyond, Mark::Points, 1),
-];
+/// The mark of a number, and its form.
+fn mark_of(said: Said) -> (Mark, usize) {
+    match said {
+        Said::Of(Verdict::Resolved) => (Mark::Points, 0),
+        Said::Of(Verdict::NoBand) => (Mark::Hollow, 0),
+        Said::Of(Verdict::NotResolved) => (Mark::Hollow, 2),
+        Said::Of(Verdict::Acoustic) => (Mark::Hollow, 3),
+        Said::Beyond => (Mark::Points, 1),
+    }
+}
 
 /// The quantities that are drawn: all but the audit, the first few.
 pub(super) fn charted(collected: &Collected) -> Vec<&str> {
@@ -164,7 +166,13 @@ fn chart(collected: &Collected, name: &str, axis: usize) -> Option<Chart> {
     let lines = groups.iter().filter(|_| lined).map(|own| of(*own, None, Mark::Line, own[1]));
     // a line needs two points
     let lines = lines.filter(|curve| curve.x.len() > 1);
-    let marks = groups.iter().flat_map(|own| MARKS.map(|(verdict, mark, form)| of(*own, Some(verdict), mark, form)));
+    let marks = groups.iter().flat_map(|own| {
+        let of = &of;
+        Said::all().map(move |said| {
+            let (mark, form) = mark_of(said);
+            of(*own, Some(said), mark, form)
+        })
+    });
     let curves: Vec<Curve> = lines.chain(marks.filter(|curve| !curve.x.is_empty())).collect();
     let value = |spot: &Spot<'_>| quantity.scale * spot.number.value;
     let [low, high] = extent(spots.iter().map(value));
@@ -219,9 +227,12 @@ fn legend(collected: &Collected, colours: &Levels, dashes: Option<&Levels>, spot
         entries.extend((0..of(dashes)).map(|k| entry(dashes.label(collected, k), Mark::Line, GREY, k)));
     }
     let has = |verdict: Said| spots.iter().any(|spot| verdict_of(spot.number) == verdict);
-    if MARKS.iter().skip(1).any(|(verdict, ..)| has(*verdict)) {
-        let present = MARKS.into_iter().filter(|(verdict, ..)| has(*verdict));
-        entries.extend(present.map(|(verdict, mark, form)| entry(verdict.words().into(), mark, GREY, form)));
+    let present = || Said::all().filter(|said| has(*said));
+    if present().any(|said| said != Said::Of(Verdict::Resolved)) {
+        entries.extend(present().map(|said| {
+            let (mark, form) = mark_of(said);
+            entry(said.words().into(), mark, GREY, form)
+        }));
     }
     match entries.is_empty() {
         // one entry without a name: no legend

@@ -143,7 +143,7 @@ fn mirrored(ipart: &Ipart, fixed: usize, limit: usize, dx: f64) -> Option<Ipart>
     })
 }
 
-/// Notes of water that the scene does not have: above h_SWL, or away from the left wall; and of a scene much larger than the files.
+/// Reports water that the scene does not have: above h_SWL, or away from the left wall; and of a scene much larger than the files.
 fn told_of_water(indat: &Indat, fluid: &[Particle], upright: usize, lines: &mut Lines) {
     let [dx, depth, width] = ["dx", "h_SWL", "vlx"].map(|name| indat.get(name));
     let [low, _] = extent(fluid, upright);

@@ -61,11 +61,11 @@ fn steps_that_are_refused_change_nothing() {
     refuse(dt, &with(&|n| n.velocity[0][0] = f64::INFINITY), &mut forces, "node 0");
     let sink = |n: &mut HostNodes| n.position.iter_mut().for_each(|at| at[1] -= 1e4);
     refuse(dt, &with(&sink), &mut forces, "speed of sound");
-    refuse(dt, &with(&|n| n.position.truncate(2)), &mut forces, "positions of 2 values");
+    refuse(dt, &with(&|n| n.position.truncate(2)), &mut forces, "positions: given 2 values");
     refuse(dt, &with(&|n| n.rotation = vec![0.0; 5]), &mut forces, "rotations");
     let lean = |n: &mut HostNodes| n.position.iter_mut().for_each(|at| at[0] += 1e-4);
     refuse(dt, &with(&lean), &mut forces, "the image in x = 0 of node");
-    refuse(dt, &good, &mut [[7.0; 3]; 2], "nodal forces of 2 values");
+    refuse(dt, &good, &mut [[7.0; 3]; 2], "nodal forces: given 2 values");
     assert_eq!(run.restore().unwrap_err().kind(), ErrorKind::NothingSaved);
     let error = run.restore_bytes(&before[..20]).unwrap_err();
     assert_eq!(error.kind(), ErrorKind::State, "{error}");

@@ -18,7 +18,7 @@ const ROUNDED: [f64; 2] = [1e-8, 1e-13];
 /// Corrections larger than this fraction of the one before have stopped contracting \[-\].
 const STAGNANT: f64 = 0.3;
 
-/// A step that does not converge is halved so often at most.
+/// Most times that a step is halved which does not converge.
 const MOST_DIVISIONS: u32 = 7;
 
 /// A correction larger than this times the smallest so far rejects the predictor \[-\].

@@ -15,7 +15,7 @@ use super::STANDARD_GRAVITY;
 use super::averaging::{Averaging, CUTOFF};
 use super::running_integral::{Extreme, RunningIntegral};
 
-/// What twice the time takes off a round bottom's peak counts so often in its band (GE20) [-].
+/// Factor in a round bottom's band on the drop of its peak when the averaging time is doubled (GE20) [-].
 const ROUND_SMOOTHING: f64 = 1.5;
 /// Largest ratio of a single step's value to the mean [-].
 const LARGEST_RAW: f64 = 2.0;

@@ -1,4 +1,4 @@
-//! Is the exchange of accelerations between water and body stable? An estimate before the run (THEORY CO10).
+//! Is the exchange of accelerations between water and body stable? An estimate before the run (THEORY CO10, CO12).
 
 use fsi_coupling::geometry::polygon;
 use fsi_coupling::{Beside, PanelExchange, Shape, exchange_ratio};

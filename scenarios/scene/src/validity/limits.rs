@@ -24,7 +24,7 @@ pub fn limit_of_forces(scene: &Scene) -> Option<String> {
         .or_else(|| gap_limit(scene))
 }
 
-/// False where no wall has a pressure of its own that its surface's integral could be found of (THEORY GE8).
+/// False where walls have no pressure to integrate over their surface (THEORY GE8).
 pub fn presses_on_walls(scene: &Scene) -> bool {
     let of_options = scene.solver.weakly_compressible().is_none_or(|fluid| extrapolates(&fluid.options));
     of_options && scene.solver.kind() != Solver::IncompressibleThesis

@@ -4,7 +4,7 @@ use settings::significant;
 
 use crate::vocabulary::{Finding, Verdict};
 
-/// What tension takes off counts so often in the band [-].
+/// Factor in the band on the share that tension takes off [-].
 const TENSION_BAND: f64 = 2.5;
 /// Largest share that it may take [-].
 const MOST_TENSION: f64 = 0.05;

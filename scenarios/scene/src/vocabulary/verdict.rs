@@ -7,9 +7,11 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 pub enum Verdict {
     /// Right within its band.
     Resolved,
-    /// It depends on the speed of sound, or on the averaging time: no value without both.
+    /// It depends on the speed of sound, or on the averaging time: a spray root above Mach 0.3, single steps far above their mean, a round bottom
+    /// averaged too briefly, a start in the water at speed, a flat bottom, an echo, a panel that resonates with the sound.
     Acoustic,
-    /// The spacing is too coarse for it.
+    /// The spacing is too coarse for it, or something else speaks against it: walls or options without known forces, tension, lost work, a touch,
+    /// a run that broke down.
     NotResolved,
     /// Nothing known speaks against it, and nothing gives a band: no theory or chart is of such a flow.
     NoBand,
@@ -34,9 +36,14 @@ impl Verdict {
         TABLE[self as usize].2
     }
 
-    /// The verdict of a name; of a name that this program does not know, that nothing may be said of the number.
+    /// The verdict with this name; `NotResolved` for an unknown name.
     pub fn of(name: &str) -> Verdict {
         TABLE.iter().find(|row| row.1 == name).map_or(Verdict::NotResolved, |row| row.0)
+    }
+
+    /// All verdicts.
+    pub fn all() -> impl Iterator<Item = Verdict> {
+        TABLE.iter().map(|row| row.0)
     }
 
     /// False where something speaks against the number.

@@ -1,4 +1,4 @@
-//! What is known at the end of a run alone and withdraws results.
+//! What withdraws results or their bands, whatever their own verdicts say.
 
 use super::doubt::{Doubt, Doubts};
 use super::quantity::Quantity;

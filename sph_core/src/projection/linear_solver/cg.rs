@@ -108,8 +108,8 @@ impl PressureSolver {
         parallel::within_pool(|| self.hierarchy.prepare(a, x, y, h));
     }
 
-    /// LS9: the rows stand in another order than in the solves before, row k for the particle `id[k]` of 0, 1, 2, …; to be
-    /// said before [`prepare`](Self::prepare), every time or never.
+    /// LS9: gives the particle `id[k]` of row k, since rows may be reordered between solves. Call before every
+    /// [`prepare`](Self::prepare), or never.
     pub fn name(&mut self, id: &[u32]) {
         self.hierarchy.name(id);
     }
