@@ -92,11 +92,7 @@ fn names<'a>(node: Node<'a, '_>) -> impl Iterator<Item = &'a str> {
 /// The value of a property in the attribute `style`.
 fn styled<'a>(node: Node<'a, '_>, property: &str) -> Option<&'a str> {
     let style = node.attribute("style")?.split(';').filter_map(|part| part.split_once(':'));
-    style
-        .map(|(name, value)| [name.trim(), value.trim()])
-        .filter(|[name, _]| *name == property)
-        .map(|pair| pair[1])
-        .last()
+    style.map(|(name, value)| (name.trim(), value.trim())).rfind(|(name, _)| *name == property).map(|(_, value)| value)
 }
 
 /// The value of a property.
