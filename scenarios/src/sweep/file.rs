@@ -87,8 +87,8 @@ impl SweepFile {
         let keys = keys.map_err(|error| schema().missing("latin_hypercube", &error))?;
         let folder = path.parent().unwrap_or(Path::new(""));
         let (kind, scenes) = match (keys.scene, keys.ditch) {
-            (Some(names), None) => (Kind::Run, scenes(names.placed("scene"), &scene::builtin(), folder)?),
-            (None, Some(names)) => (Kind::Ditch, scenes(names.placed("ditch"), &ditching::builtin(), folder)?),
+            (Some(names), None) => (Kind::Run, scenes(names.placed("scene"), scene::builtin(), folder)?),
+            (None, Some(names)) => (Kind::Ditch, scenes(names.placed("ditch"), ditching::builtin(), folder)?),
             (Some(_), Some(_)) => return Err(refused("ditch", "expected `scene` or `ditch`, not both")),
             (None, None) => {
                 let expected =
