@@ -1,6 +1,6 @@
 //! A run in progress, shown to viewers: the topics of the log over a WebSocket that Foxglove and Lichtblick connect to.
 //!
-//! The server has threads of its own. Each viewer has a queue of [`BACKLOG`] messages; where it is full, the oldest are dropped: a viewer
+//! The server has threads of its own. Each viewer has a queue of 64 messages; where it is full, the oldest are dropped: a viewer
 //! that is slow, or leaves, does not delay the run. Without a viewer nothing is computed.
 
 use std::collections::BTreeMap;

@@ -49,7 +49,7 @@ pub use driver::run;
 pub use error::RunError;
 pub use folder::FILES;
 pub use load::{load, load_beyond_limits, load_text};
-pub use options::{Checkpoints, Outcome, Page, RunOptions};
+pub use options::{Checkpoints, Outcome, Page, RunOptions, StartViewers};
 pub use particle_order::ParticleOrder;
 pub use resume::Resumable;
 pub use summary::{Extremes, PanelEnvelope, PanelResult, Rupture};

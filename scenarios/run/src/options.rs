@@ -19,7 +19,7 @@ pub struct RunOptions<'a> {
     /// Replace a run that the folder holds.
     pub force: bool,
     /// Starts viewers that are shown the run while it goes on.
-    pub live: Option<&'a (dyn Fn(&Scene) -> Result<Box<dyn Viewers>, LogError> + Sync)>,
+    pub live: Option<&'a StartViewers<'a>>,
     /// Write no `log.mcap`.
     pub without_log: bool,
     /// Set from outside to end the run after the present step.
@@ -41,6 +41,9 @@ pub struct RunOptions<'a> {
     /// Makes `report.html` of the other files in the folder; without it there is none.
     pub page: Option<Page>,
 }
+
+/// Starts the viewers of a scene's run.
+pub type StartViewers<'a> = dyn Fn(&Scene) -> Result<Box<dyn Viewers>, LogError> + Sync + 'a;
 
 /// The text of the page of the run in a folder.
 pub type Page = fn(&Path) -> Result<String, Box<dyn Error + Send + Sync>>;

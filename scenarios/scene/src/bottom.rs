@@ -40,7 +40,7 @@ pub enum Bottom {
 
 impl Bottom {
     /// The bottom of a body as it lies at t = 0: the radius of an arc, or of a polygon whose bottom is round; else the flattest
-    /// face that looks down, at least [`LEAST_DEADRISE_DEG`]. A blunt or round keel does not count (GE25).
+    /// face that looks down, at least `LEAST_DEADRISE_DEG`. A blunt or round keel does not count (GE25).
     pub fn of(body: &Body, water: &Reach) -> Bottom {
         if let Shape::Arc { radius, .. } = body.shape {
             return Bottom::Arc { radius };

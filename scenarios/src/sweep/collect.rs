@@ -93,7 +93,8 @@ pub struct PointResult {
 impl PointResult {
     /// True for a point with results that did not fail.
     pub fn is_completed(&self) -> bool {
-        !is_failed(&self.status) && !(self.numbers.is_empty() && self.texts.is_empty())
+        let is_empty = self.numbers.is_empty() && self.texts.is_empty();
+        !is_failed(&self.status) && !is_empty
     }
 
     /// True for a point that ended otherwise: without results, or a landing that left the range of its model.

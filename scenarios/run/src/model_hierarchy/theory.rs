@@ -38,7 +38,7 @@ enum Source {
     /// A formula.
     Loads(Loads),
     /// A formula, and faces that bend.
-    Faces(Loads, Faces),
+    Faces(Loads, Box<Faces>),
     /// A flow that was followed.
     Flow(FlowHistory),
     /// The flow about a rolled wedge, at every sample.
@@ -300,7 +300,7 @@ fn bending(
     let times = sample_times(scene);
     let instants = faces.instants(&times);
     let end = times.get(instants.len()).map(|time| refuse(&format!("from t = {} s on wet chines", significant(*time))));
-    let source = Source::Faces(loads, faces);
+    let source = Source::Faces(loads, Box::new(faces));
     Ok((Theory { model, section, instants, density: scene.water().density, gravity: 0.0, source }, end))
 }
 

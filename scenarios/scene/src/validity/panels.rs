@@ -224,7 +224,7 @@ mod tests {
         let (results, doubts) = panel_results(&yields, None, None, None);
         let strain = results.get(&PeakStrain).expect("a strain");
         assert_eq!((strain.value, strain.time_s, strain.band, strain.allowed), (0.004, Some(0.02), None, Some(false)));
-        assert!(results.get(&ReserveFactor).is_none() && doubts[0].text.contains("0.4 %"), "{doubts:?}");
+        assert!(!results.contains_key(&ReserveFactor) && doubts[0].text.contains("0.4 %"), "{doubts:?}");
         let enough =
             StressPeak { reserve_factor: Some(25.0), allowed: Some(true), rupture_strain: Some(0.1), ..yields };
         let (results, doubts) = panel_results(&enough, None, None, None);

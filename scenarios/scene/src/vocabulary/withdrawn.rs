@@ -17,7 +17,7 @@ impl Results {
     pub fn unresolve(&mut self, from: f64, why: &str) -> Option<Doubt> {
         let later = |quantity: &&mut Quantity| quantity.time_s.is_none_or(|time| time >= from);
         let mut about = Vec::new();
-        for (name, quantity) in self.body.iter_mut().filter(|(_, quantity)| later(&quantity)) {
+        for (name, quantity) in self.body.iter_mut().filter(|(_, quantity)| later(quantity)) {
             if quantity.verdict.is_sound() {
                 *quantity = Quantity { band: None, ..quantity.doubted() };
             }
