@@ -87,7 +87,9 @@ impl Range {
                 let last = (steps + 1e-9).floor();
                 (last as usize, from + last * step)
             }
-            _ => return Err(format!("`count` or `step`, not both; a count from 2 to {MOST_POINTS}")),
+            (None, None) => return Err(format!("`count` (2 to {MOST_POINTS}) or `step` beside `from` and `to`")),
+            (Some(_), Some(_)) => return Err("`count` or `step`, not both".into()),
+            (Some(_), None) => return Err(format!("a count from 2 to {MOST_POINTS}")),
         };
         let whole = !self.from.is_f64() && !self.to.is_f64() && self.step.is_none_or(|step| step.fract() == 0.0);
         let value = |k: usize| {

@@ -7,10 +7,20 @@ use water_entry::air_cushion::{self, AirCushion};
 
 use super::bottom::{Bottom, PEAK_MASS_RATIO, Reach};
 use super::keys::{Body, Motion};
+use crate::vocabulary::ResultName;
 
 /// Why the peak force of a flat contact is refused (THEORY GE23).
-pub const FLAT_CONTACT: &str = "a face within 4 deg of the water meets it at once: the peak follows the speed of sound, or the \
-    spacing, and no value is right; use results.impulse_N_s_per_m";
+pub fn flat_contact_refused() -> String {
+    format!(
+        "a face within 4 deg of the water meets it at once: the peak follows the speed of sound, or the spacing, and no value is right; {}",
+        use_the_impulse()
+    )
+}
+
+/// What a designer may take where no peak is right.
+pub fn use_the_impulse() -> String {
+    format!("use results.{}", ResultName::Impulse.name())
+}
 
 /// Steps of the penetration integral.
 const PENETRATION_STEPS: u32 = 1000;

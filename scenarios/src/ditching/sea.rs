@@ -5,11 +5,10 @@ use std::f64::consts::{PI, TAU};
 use serde::Serialize;
 use settings::{Problem, require, significant};
 use water_entry::ditching::{Fuselage, Landing, Swell, Touchdown};
+use water_entry::waves::linear_wave::STEEPEST;
 
 use super::model::Scene;
 
-/// Height over length of the highest wave (Michell 1893; Miche 1944) [-].
-const BREAKING: f64 = 0.142;
 /// Height over length up to which the second harmonic, ½ k a of the amplitude, is below 8 % [-].
 const STEEP: f64 = 0.05;
 /// Shortest wave over the fuselage's breadth [-].
@@ -63,7 +62,7 @@ pub(super) fn check(scene: &Scene, fuselage: &Fuselage) -> Result<(), Problem> {
         significant(shortest)
     );
     require(sea.length >= shortest, "sea.length", sea.length, expected)?;
-    let breaking = BREAKING * sea.length;
+    let breaking = STEEPEST * sea.length;
     let expected = format_args!(
         "below {} m, where a wave of {} m breaks (Miche 1944)",
         significant(breaking),

@@ -190,6 +190,8 @@ mod tests {
         let quoted = "scene = \"wedge\"\n[[zip]]\nz = [1]\n[grid]\n\"body.velocity[1]\" = [-4, -6]\nbody.mass = [1, 2]";
         assert_eq!(parse(quoted).expect("a sweep").keys(), ["z", "body.velocity[1]", "body.mass"]);
         assert_eq!(rows(quoted)[1], "1 -4 2");
+        let tables = "scene = \"wedge\"\n[grid]\nbody.mass = [1, 2]\nfluid.alpha = [3, 4]\nbody.deadrise = [5, 6]";
+        assert_eq!(parse(tables).expect("a sweep").keys(), ["body.mass", "body.deadrise", "fluid.alpha"]);
         let cube = "scene = \"wedge\"\n[latin_hypercube]\nsamples = 5\nkeys.a = [0, 1]\nkeys.b = { from = -1, to = -100, scale = \"log\" }";
         assert_eq!(rows(cube).len(), 5);
     }

@@ -100,9 +100,9 @@ pub(super) fn with_paths(source: &Source, table: &Table) -> Result<Value, Proble
     for place in places {
         let pointer = format!("/{}", place.replace(['.', '['], "/").replace(']', ""));
         let Some(Value::Object(keys)) = given.pointer_mut(&pointer) else { continue };
+        let start = |key: &str| source.span(&format!("{place}.{key}")).start;
         let mut found = Vec::new();
-        leaves("", std::mem::take(keys), place == "set", &mut found);
-        found.sort_by_cached_key(|(key, _)| source.span(&format!("{place}.{key}")).start);
+        leaves("", std::mem::take(keys), place == "set", &start, &mut found);
         for (key, value) in found {
             if known.iter().any(|other| segments(other).eq(segments(&key))) {
                 let sentence = format!("`{key}` stands twice: expected one place for each key");
@@ -115,15 +115,17 @@ pub(super) fn with_paths(source: &Source, table: &Table) -> Result<Value, Proble
     Ok(given)
 }
 
-/// The values of a table and of the tables in it; a table with ends is a range.
-fn leaves(path: &str, table: Free, is_set: bool, found: &mut Vec<(String, Value)>) {
-    for (key, value) in table {
-        let path = if path.is_empty() { key } else { format!("{path}.{key}") };
+/// The values of a table and of the tables in it, each table where it first stands; a table with ends is a range.
+fn leaves(path: &str, table: Free, is_set: bool, start: &dyn Fn(&str) -> usize, found: &mut Vec<(String, Value)>) {
+    let whole = |key: String| if path.is_empty() { key } else { format!("{path}.{key}") };
+    let mut entries: Vec<(String, Value)> = table.into_iter().map(|(key, value)| (whole(key), value)).collect();
+    entries.sort_by_cached_key(|(key, _)| start(key));
+    for (key, value) in entries {
         match value {
             Value::Object(inner) if is_set || !["from", "to"].iter().any(|end| inner.contains_key(*end)) => {
-                leaves(&path, inner, is_set, found);
+                leaves(&key, inner, is_set, start, found);
             }
-            value => found.push((path, value)),
+            value => found.push((key, value)),
         }
     }
 }

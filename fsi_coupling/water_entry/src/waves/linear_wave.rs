@@ -2,6 +2,8 @@
 
 use std::f64::consts::TAU;
 
+/// Height over length of the highest wave on deep water (Michell 1893; Miche 1944) [-].
+pub const STEEPEST: f64 = 0.142;
 /// Newton steps of the dispersion relation; four give rounding.
 const STEPS: usize = 12;
 
@@ -80,9 +82,9 @@ impl LinearWave {
         2.0 * self.kd().tanh() / (1.0 + self.shallowness())
     }
 
-    /// Largest height of a wave of this length [m], 0.142 L tanh kd (Miche 1944).
+    /// Largest height of a wave of this length [m], [`STEEPEST`] L tanh kd (Miche 1944).
     pub fn breaking_height(&self) -> f64 {
-        0.142 * self.length() * self.kd().tanh()
+        STEEPEST * self.length() * self.kd().tanh()
     }
 }
 

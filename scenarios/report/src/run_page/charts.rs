@@ -2,7 +2,7 @@
 
 use run::compare::{self, ReferenceCurve};
 use run::observers::phaseless;
-use run::results::PASS_OVER_CLASS;
+use run::results::{CUTOFF, PASS_OVER_CLASS};
 use scene::vocabulary::{ColumnTitle, Quantity, ResultName, column_title};
 use scene::{Compare, Scene};
 use water_entry::EntryModel;
@@ -18,8 +18,6 @@ use crate::{Chart, Curve, Mark, Paint, Rgb};
 const MANY: usize = 60;
 /// A curve that moves by less than this share of its largest value stays where it is.
 const STILL: f64 = 1e-9;
-/// The mean over a time τ halves the power at this over τ (THEORY GE18) [-].
-const CUTOFF: f64 = 0.443;
 /// A mean is drawn where it holds more than this number of samples.
 const LEAST_SAMPLES: f64 = 3.0;
 /// An allowable stress is drawn where it is below this multiple of the stress.

@@ -10,6 +10,7 @@ mod judge;
 mod observer;
 mod running_integral;
 
+pub use averaging::CUTOFF;
 pub use filtered::{FilteredAcceleration, PASS_OVER_CLASS};
 pub use observer::ResultsObserver;
 pub(crate) use running_integral::{Extreme, RunningIntegral};

@@ -18,8 +18,6 @@ const DEFINITIONS: [&str; 8] = ["clipPath", "defs", "marker", "mask", "metadata"
 const REFUSED_PROPERTIES: [&str; 3] = ["clip-path", "mask", "transform-origin"];
 const EXPECTED: &str =
     "a path, polygon, polyline, line, rect, circle or ellipse; body.outline_layer chooses the group of the outline";
-/// Most elements and texts of a file.
-const MOST_NODES: u32 = 200_000;
 /// Larger numbers of a path, as of an arc, give too many curves.
 const LARGEST: f64 = 1e15;
 
@@ -36,7 +34,7 @@ impl Lines {
 /// The lines of a group, by its id or label, or of all that are visible.
 pub(super) fn parse(text: &str, layer: Option<&str>) -> Result<Drawing, Fault> {
     let lines = Lines(text.match_indices('\n').map(|(at, _)| at).collect());
-    let options = ParsingOptions { allow_dtd: true, nodes_limit: MOST_NODES, ..ParsingOptions::default() };
+    let options = ParsingOptions { allow_dtd: true, nodes_limit: u32::MAX, ..ParsingOptions::default() };
     let document = Document::parse_with_options(text, options).map_err(|error| {
         let line = match error {
             roxmltree::Error::UnexpectedEndOfStream | roxmltree::Error::UnclosedRootNode => text.lines().count(),

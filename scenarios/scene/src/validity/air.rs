@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 use settings::significant;
 
 use super::compressibility::LEAST_SOUND_RATIO;
-use crate::impact::{Entry, FLAT_CONTACT};
+use crate::impact::{Entry, flat_contact_refused, use_the_impulse};
 use crate::keys::{Body, Motion, Scene};
 use crate::vocabulary::{Finding, Verdict};
 
@@ -74,7 +74,7 @@ pub fn air_pulse(scene: &Scene, entry: &Entry) -> Option<[f64; 2]> {
 pub fn flat_finding(entry: &Entry, spacing: f64, pulse_end: Option<f64>, time: f64) -> Finding {
     let spacings = entry.cushion.map_or(0.0, |air| air.half_breadth / spacing);
     match pulse_end {
-        None => (Verdict::Acoustic, None, Some(FLAT_CONTACT.into())),
+        None => (Verdict::Acoustic, None, Some(flat_contact_refused().into())),
         Some(_) if spacings < LEAST_HALF_BREADTH => {
             let why =
                 format!("half the flat breadth is {} spacings; {LEAST_HALF_BREADTH} are needed", significant(spacings));
@@ -115,7 +115,9 @@ pub(crate) fn flat_contact(scene: &Scene, body: &Body, entry: &Entry) -> Option<
     if !entry.is_flat() {
         return None;
     }
-    let Some(air) = entry.cushion else { return Some(format!("the peak force will be refused: {FLAT_CONTACT}")) };
+    let Some(air) = entry.cushion else {
+        return Some(format!("the peak force will be refused: {}", flat_contact_refused()));
+    };
     let bounded = format!(
         "air trapped under the flat bottom bounds the pressure at about {} kPa for {} ms (Chuang 1966)",
         significant(1e-3 * air.largest_pressure()),
@@ -133,9 +135,9 @@ pub(crate) fn flat_contact(scene: &Scene, body: &Body, entry: &Entry) -> Option<
     }
     let cure = match scene.cushion_sound_speed(entry) {
         _ if scene.is_light(body, entry) => {
-            "the body is lighter than half of the water that moves with it; use results.impulse_N_s_per_m".to_string()
+            format!("the body is lighter than half of the water that moves with it; {}", use_the_impulse())
         }
-        None => "the body is too fast for water that is as soft; use results.impulse_N_s_per_m".to_string(),
+        None => format!("the body is too fast for water that is as soft; {}", use_the_impulse()),
         Some(sound) => format!(
             "with solver = \"weakly_compressible\" and fluid.sound_speed = {} m/s water is as soft",
             significant(sound)

@@ -7,13 +7,10 @@ use settings::significant;
 
 use super::air::{flat_contact, vapour};
 use super::compressibility::sound_speed_for;
-use super::resolution::LEAST_DRAUGHT;
+use super::resolution::{LEAST_DRAUGHT, PEAK_SPACINGS};
 use crate::bottom::Bottom;
 use crate::impact::{Entry, jet_reach};
 use crate::keys::{Body, Motion, Scene};
-
-/// Spacings across the length with 90 % of the peak pressure: 17 give the peak to 2–4 %, 5 to 25 %.
-const PEAK_SPACINGS: f64 = 17.0;
 
 /// Draught over spacing from which the force of an entry is within 1 %.
 const STARTING_DRAUGHT: f64 = 16.0;

@@ -3,7 +3,7 @@
 use fsi_coupling::geometry::polygon;
 use settings::{Problem, require, significant};
 use sph_core::Solver;
-use water_entry::waves::linear_wave::LinearWave;
+use water_entry::waves::linear_wave::{LinearWave, STEEPEST};
 
 use crate::keys::{Beach, Body, GaugeFrame, Scene, SolverSettings, Symmetry, WaveMaker};
 use crate::resolve_links::further;
@@ -62,7 +62,8 @@ fn check_wave_maker(scene: &Scene, maker: &WaveMaker) -> Result<(), Problem> {
     require(scene.tank.water_width >= scene.tank.width, "tank.water_width", scene.tank.water_width, expected)?;
     let (Some(wave), Some(piston)) = (scene.wave(), scene.piston()) else { return Ok(()) };
     let [length, breaking, stroke] = [wave.length(), wave.breaking_height(), piston.stroke].map(significant);
-    let expected = format_args!("below {breaking} m, 0.142 L tanh(kd), where a wave of {length} m breaks (Miche 1944)");
+    let expected =
+        format_args!("below {breaking} m, {STEEPEST} L tanh(kd), where a wave of {length} m breaks (Miche 1944)");
     require(maker.height < wave.breaking_height(), &key("height"), maker.height, expected)?;
     let longest = LONGEST_STROKE * scene.tank.width;
     let expected = format_args!(

@@ -10,6 +10,7 @@ use serde_json::Value;
 use super::bandwidth::BandwidthBy;
 use super::names::{ResultId, ResultName};
 use super::quantity::Quantity;
+use super::verdict::Verdict;
 
 /// Results with their names.
 pub type Named = BTreeMap<ResultName, Quantity>;
@@ -66,13 +67,21 @@ impl Serialize for Results {
     }
 }
 
+/// A quantity of version 0.1.0, whose verdict could be `beyond_allowable`, as this program writes it.
+fn present(mut quantity: Value) -> Value {
+    if quantity["verdict"] == "beyond_allowable" {
+        (quantity["verdict"], quantity["allowed"]) = (Verdict::NoBand.name().into(), false.into());
+    }
+    quantity
+}
+
 impl<'de> Deserialize<'de> for Results {
     /// What this program does not know, of a summary of another version, is left out.
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Results, D::Error> {
         let mut table = BTreeMap::<String, Value>::deserialize(deserializer)?;
         let named = |table: BTreeMap<String, Value>| -> Named {
             let known = table.into_iter().filter_map(|(name, value)| Some((ResultName::of(&name)?, value)));
-            known.filter_map(|(name, value)| Some((name, Quantity::deserialize(value).ok()?))).collect()
+            known.filter_map(|(name, value)| Some((name, Quantity::deserialize(present(value)).ok()?))).collect()
         };
         let mut take = |key: &str| match table.entry(key.into()) {
             Entry::Occupied(entry) => Some(entry.remove()),
@@ -83,5 +92,20 @@ impl<'de> Deserialize<'de> for Results {
         let bandwidth_by = take(BANDWIDTH).and_then(|value| Deserialize::deserialize(value).ok());
         let panels = panels.into_iter().map(|(panel, table)| (panel, named(table))).collect();
         Ok(Results { body: named(table), bandwidth_by, panels })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use super::*;
+
+    #[test]
+    fn a_summary_of_version_0_1_keeps_what_is_beyond_the_allowable() {
+        let old = json!({ "value": 1.0, "time_s": 0.1, "band": null, "verdict": "beyond_allowable" });
+        let results = Results::deserialize(json!({ "panels": { "bow": { ResultName::PeakStress.name(): old } } }));
+        let stress = results.expect("results").of_panel("bow", ResultName::PeakStress).expect("a stress");
+        assert_eq!((stress.verdict, stress.allowed), (Verdict::NoBand, Some(false)));
     }
 }

@@ -193,6 +193,8 @@ impl catalogue::Case for Case {
 
 #[cfg(test)]
 mod tests {
+    use run::charted::ErrorLaw;
+
     use super::*;
 
     #[test]
@@ -208,5 +210,18 @@ mod tests {
         let last = |f: &Family| f.runs(&case).into_iter().map(|(_, sets)| sets[1].clone()).collect::<Vec<_>>();
         assert_eq!(last(&family), ["k=3", "k=0.5", "k=2.0", "k=wendland_c4", "k=true"]);
         assert_eq!(last(&back), last(&family));
+    }
+
+    #[test]
+    fn each_stored_law_is_of_a_chart() {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/run/charts/fits.json");
+        let laws: Vec<ErrorLaw> = serde_json::from_str(&std::fs::read_to_string(path).expect("laws")).expect("laws");
+        let charts = CHARTS.all().expect("they parse");
+        let of_a_chart = |law: &ErrorLaw| {
+            charts
+                .iter()
+                .any(|chart| chart.name == law.case && chart.family.iter().any(|family| family.name == law.family))
+        };
+        assert!(!laws.is_empty() && laws.iter().all(of_a_chart));
     }
 }
