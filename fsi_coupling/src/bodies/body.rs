@@ -2,7 +2,7 @@
 //! other bodies ([`Linked`]) and output ([`Inspect`]).
 //!
 //! A coupled step of length `dt` calls, for each body: `kinematics(dt)`, `interface(dt)`; then the fluid steps; then `load`,
-//! `advance(dt)`, and the methods of [`Contact`] for single particles.
+//! `advance(dt)`, those of [`Linked`] where bodies are linked, and those of [`Contact`] for single particles.
 
 use sph_core::walls::Resultant;
 use sph_core::{InterfaceDynamics, PlateMidline, StateError, WallForces, WallPoint, WallsMut};

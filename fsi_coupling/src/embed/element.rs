@@ -105,7 +105,7 @@ impl FluidElement {
         FluidElement { system, link, limits, broken: None, saved: false }
     }
 
-    /// The water goes through one step of the host with the nodes, which move smoothly to where `step` says, in as many equal
+    /// The water goes through one step of the host with the nodes, which move smoothly to where `step` says, in as many
     /// steps of the water as are needed; `nodal_forces` becomes the mean force on each node, `[F_x, F_y, M]` [N/m, N/m, N]:
     /// times Δt they are the impulse that the water lost, to rounding (THEORY CO31).
     ///
@@ -152,7 +152,7 @@ impl FluidElement {
         Ok(Contribution { fluid_steps, fluid_dt, host_dt, work: done, impulse, penetration: self.system.penetration() })
     }
 
-    /// Equal steps of the water, as few as are stable: the rest of the host's step is divided again before each.
+    /// Steps of the water, as few as are stable: before each the rest of the host's step is divided into equal ones.
     fn sub_cycle(
         &mut self,
         dt: f64,

@@ -1,4 +1,4 @@
-//! Which bottoms each model holds for.
+//! Which bottoms each model holds for; the deadrises of boundary elements stand in `model`.
 
 use super::model::{EntryModel, OutOfRange};
 use super::section::Section;

@@ -1,6 +1,6 @@
-//! Sweeps: one scene or landing at many points, each a process and a folder of its own, and the table of what they give.
+//! Sweeps: scenes or landings at many points, each a process and a folder of its own, and the table of what they give.
 //!
-//! A [`SweepFile`] names a scene, fixed overrides and axes. A [`Plan`] resolves every point and gives it a folder whose name is a
+//! A [`SweepFile`] names scenes, fixed overrides and axes. A [`Plan`] resolves every point and gives it a folder whose name is a
 //! hash of the resolved scene and of the program's version, so that nothing is computed twice. An engine runs the points that have
 //! no outcome: the local [`pool`], HyperQueue or Slurm ([`engines`]). [`Collected`] reads what they gave; [`write_results`] writes
 //! `table.csv`, `worst.csv` and `sweep.html`.

@@ -11,7 +11,7 @@ use super::error::SweepError;
 use super::folder::{KILLED, Outcome, PointFolder, State, SweepFolder};
 use super::program::Program;
 
-/// Processes of a point that may die: then it has failed.
+/// How many processes are started for a point; it has failed when all of them have died.
 const ATTEMPTS: usize = 2;
 /// The line sent to a process's standard input to make it end after the present step.
 pub const STOP: &str = "stop";

@@ -1,4 +1,5 @@
-//! The pair physics: each equation once, for one target or four. Target a, neighbour b; everything per metre of span.
+//! The pair physics of a whole step, for one target or four; acoustic steps and the projection have forms of some equations with held weights
+//! (`wcsph/split_explicit`, `projection/pair_clusters`). Target a, neighbour b; everything per metre of span.
 //!
 //! Each function gathers one target's sum over its neighbours, or those of several targets side by side
 //! ([`crate::simd`]). Forces between fluid and wall come from one function with the roles swapped, so that action equals

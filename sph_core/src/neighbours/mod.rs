@@ -127,7 +127,7 @@ impl Neighbours {
         self.fluid_of_mirror.check(mirrored, fluid)
     }
 
-    /// True while every pair that can meet at `now` [s] is listed: one age for all is all that this takes, whatever the clock.
+    /// True while every pair that can meet at `now` [s] is listed. Only the age of the lists counts, not the time itself.
     pub(crate) fn holds(&self, particles: &Particles, walls: &WallKinematics, now: f64) -> bool {
         let (since, life) = self.made;
         let age = (now - since).max(0.0).min(life);

@@ -1,7 +1,7 @@
 //! The incompressible scheme: a projection per step (THEORY PR2–PR14). Pressures are those that leave the water's volume as it is.
 //!
-//! Read in this order: `Projection::advance`, `operators` (sums over pairs), `free_surface`, `pressure` (the equation),
-//! `linear_solver`, `forces`, `motion`; `monolithic` couples bodies.
+//! Read in this order: `Projection::advance`, `operators` (sums and links over pairs), `free_surface::detection`, `pressure` (the equation; its
+//! rows: `linear_solver::cluster_matrix`), `linear_solver::cg`, `forces`, `motion`; `monolithic` couples bodies.
 
 mod forces;
 mod free_surface;

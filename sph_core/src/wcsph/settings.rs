@@ -50,8 +50,8 @@ pub struct Settings {
     /// moving water: its energy grows (THEORY WC10). Without effect where fluid.shifting is false.
     #[schemars(extend("x-ignored-elsewhere" = true, "x-default" = "true; false in a tank of water without a body"))]
     pub shifting_at_surface: bool,
-    /// Share of h^2 grad C by which particles are shifted in each step, whatever their speed, away from the surface (THEORY
-    /// WC10), 0 to 0.3 [-]. Without effect where fluid.shifting is false.
+    /// Share of h^2 grad C by which particles are shifted in each step before t = 0, and later those that were just split, whatever
+    /// their speed, away from the surface (THEORY WC10), 0 to 0.3 [-]. Without effect where fluid.shifting is false.
     #[schemars(range(min = 0.0, max = 0.3), extend("x-ignored-elsewhere" = true))]
     pub settling: f64,
     /// Behind walls the water is stretched along them like that in front (THEORY WA4). Sound along walls is nearer its speed and

@@ -72,8 +72,8 @@ impl EntryFlow {
     /// [m/s²] in the water. Of a wedge the surface is the exact one (EN20); a round bottom is followed from its first draught (EN30).
     ///
     /// # Errors
-    /// A section that is neither a wedge of [`BOUNDARY_ELEMENT_DEADRISES`] nor an arc nor a polygon of such faces; a draught or a speed that is not above zero; a draught above
-    /// the first; wet chines.
+    /// A section that is neither a wedge of [`BOUNDARY_ELEMENT_DEADRISES`] nor an arc nor a polygon of such faces; a draught or a speed that is not above zero; of a round
+    /// bottom a draught below the first; wet chines.
     pub fn new(section: &Section, draught: f64, speed: f64, gravity: f64) -> Result<EntryFlow, OutOfRange> {
         EntryModel::BoundaryElement.covers(section, 0.0)?;
         let refused =

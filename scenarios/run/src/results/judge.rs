@@ -113,11 +113,11 @@ impl Judge {
             let falls = dry && self.gravity > 0.0 && peak.value <= (1.0 + LEAST_FORCE_BAND) * self.gravity; // before the water carries it
             match (falls, known) {
                 (true, true) => {
-                    let why = "it is that of the fall: the water accelerates the body less";
+                    let why = "the largest acceleration is that of free fall before contact; the water decelerates the body by less than that";
                     (Verdict::Resolved, Some(LEAST_FORCE_BAND), Some(why.into()))
                 }
                 (true, false) => {
-                    let why = "it is that of the fall, and the force of the water is not resolved";
+                    let why = "the largest acceleration is that of free fall before contact, and the force of the water is not resolved";
                     (Verdict::NotResolved, None, Some(why.into()))
                 }
                 (false, _) => by_force(peak, raw),
@@ -300,7 +300,7 @@ impl Judge {
         each.max_by(|(a, _), (b, _)| a.value.total_cmp(&b.value))
     }
 
-    /// The impulse over the run: an integral averages by itself. A flat contact and a wet start have one, of no known band.
+    /// The impulse over the run: an integral averages by itself. That of a flat contact has no known band.
     fn impulse(&self, curves: &Curves) -> (Quantity, Option<Why>) {
         let [x, y] = curves.force.total();
         let value = x.hypot(y);

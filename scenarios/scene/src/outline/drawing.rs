@@ -173,7 +173,7 @@ mod tests {
         assert!(Drawing { pieces: apart, ..Drawing::default() }.joined().is_err());
     }
 
-    /// The points are on the curve, they turn by at most 2 degrees from side to side, and a cusp ends.
+    /// The points are on the curve, they turn by at most twice `ARC_STEP_DEG` from side to side, and a cusp ends.
     #[test]
     fn a_curve_turns_little_between_its_points() {
         let points = curve(1, [[0.0, 0.0], [0.0, 4.0], [1.0, 4.0], [1.0, 0.0]]);

@@ -91,8 +91,8 @@ fn light_body(scene: &Scene, body: &Body) -> Option<String> {
         let which = exchange.ratios.iter().position(|r| *r == radius).unwrap_or(1);
         let direction = ["moves along x", "moves along y", "turns"][which];
         format!(
-            "the {} is light for coupling.scheme = \"weak\": half a row of water that {direction} with it has {} times its \
-             inertia, from about 0.84 on body and water shake each other; take coupling.scheme = \"added_mass\", or {} m for \
+            "the {} is light for coupling.scheme = \"weak\": the water that {direction} with it has {} times its \
+             inertia; from about 0.84 on, weak coupling oscillates; take coupling.scheme = \"added_mass\", or {} m for \
              resolution.spacing",
             if scene.bodies.is_empty() { "body".to_string() } else { format!("body {}", body.name) },
             significant(radius),

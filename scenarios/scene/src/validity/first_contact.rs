@@ -1,4 +1,5 @@
-//! The approach of a body to weakly compressible water: when its run starts, and where the body is then (THEORY WA12).
+//! First contact: when the run of a body that falls into weakly compressible water starts (THEORY WA12), and what may be said of round bottoms
+//! and of bodies that start wet.
 
 use fsi_coupling::RigidMotion;
 use settings::{Problem, require, significant};

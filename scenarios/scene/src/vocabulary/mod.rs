@@ -3,7 +3,7 @@
 //! | to change | place |
 //! |---|---|
 //! | a result: its name in `summary.json`, its title, its unit | the table in `names` |
-//! | a verdict or a status: its name in files, its words on pages | the tables in `verdict` and `status` |
+//! | a verdict or a status: its name in files, its words on pages ("coarse" of a resolved number: `report::COARSE`) | the tables in `verdict` and `status` |
 //! | a column of the curves: its title, its unit | the tables in `columns` |
 //!
 //! What each value *is* for a run is decided by `run::results`, with the rules of `validity`.

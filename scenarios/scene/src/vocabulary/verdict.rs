@@ -8,7 +8,8 @@ pub enum Verdict {
     /// Right within its band.
     Resolved,
     /// It depends on the speed of sound, or on the averaging time: a spray root above Mach 0.3, single steps far above their mean, a round bottom
-    /// averaged too briefly, a start in the water at speed, a flat bottom, an echo, a panel that resonates with the sound.
+    /// averaged too briefly, a start in the water at speed (`validity::{compressibility, first_contact}`), a flat bottom, an echo
+    /// (`validity::air`), a panel that resonates with the sound (`validity::wet_period`); `run::results::judge` decides.
     Acoustic,
     /// The spacing is too coarse for it, or something else speaks against it: walls or options without known forces, tension, lost work, a touch,
     /// a run that broke down.

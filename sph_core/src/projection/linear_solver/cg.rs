@@ -42,7 +42,7 @@ pub struct NotConverged {
 
 /// Times the iterations that the last attempt at a solve gets.
 const MORE: usize = 4;
-/// A solve that has not gained a factor of ten in this number of iterations is stuck.
+/// A solve with a hierarchy of an earlier step that has not gained a factor of ten in this number of iterations is stuck.
 const STUCK: usize = 40;
 
 /// What a solve is given besides the matrix.

@@ -118,7 +118,7 @@ impl HeldWalls {
         .min(0.0)
     }
 
-    /// WA3: the pressure of wall particle `w` [Pa], whose acceleration is given.
+    /// WA3: the pressure of wall particle `w` [Pa], in the field g − a of gravity less its acceleration [m/s²].
     pub fn pressure(&self, w: usize, p: &[f64], field: [f64; 2], rho0: f64) -> f64 {
         let from_fluid: f64 = self.beside_wall.of(w).iter().map(|b| b.share * p[b.fluid as usize]).sum();
         let arm = self.sensitivity[w].arm;

@@ -52,7 +52,7 @@ const WIDE_SKIN: f64 = 0.08;
 pub struct SplitExplicit {
     /// Equation of state, settings and terms.
     base: Wcsph,
-    /// Of the shifts, in turn [-].
+    /// The two factors of the shift, used in alternate advective steps (WC26) [-].
     gains: [f64; 2],
     advective: AdvectiveStep,
     /// Shared with the states saved since it was held.

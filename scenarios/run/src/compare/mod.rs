@@ -1,10 +1,13 @@
 //! Our curves against reference curves and exact numbers.
 
+mod waveform;
+
 use scene::reference::{ReferenceError, Table, WedgeSimilarity};
 use scene::{Compare, Norm, Scene, Shape, Similarity};
 use serde::Serialize;
 use settings::significant;
 
+pub use self::waveform::Waveform;
 use crate::observers::{Series, SimilarityResult};
 
 /// One line of `summary.json`'s `comparison[]`.
@@ -22,6 +25,9 @@ pub struct Comparison {
     pub error: f64,
     /// Largest error that passes; `null` where the curve is drawn and not judged.
     pub tolerance: Option<f64>,
+    /// Scores of the curve; absent for single numbers.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub waveform: Option<Waveform>,
 }
 
 impl Comparison {
@@ -111,13 +117,10 @@ pub fn against_curve(compare: &Compare, reference: &ReferenceCurve, series: &Ser
     let end = times.last().copied()?;
     let [from, to] = [compare.window[0], compare.window[1].min(end)];
     let inside = |t: f64| t >= from && t <= to;
-    let pairs: Vec<(f64, f64)> = reference
-        .t
-        .iter()
-        .zip(&reference.y)
-        .filter(|(t, _)| inside(**t))
-        .map(|(t, theirs)| (compare.scale * interpolate(&times, &values, *t), *theirs))
-        .collect();
+    let at: Vec<(f64, f64)> =
+        reference.t.iter().copied().zip(reference.y.iter().copied()).filter(|(t, _)| inside(*t)).collect();
+    let pairs: Vec<(f64, f64)> =
+        at.iter().map(|(t, theirs)| (compare.scale * interpolate(&times, &values, *t), *theirs)).collect();
     let first = pairs.first()?.1.abs();
     let n = pairs.len() as f64;
     let rms = (pairs.iter().map(|(a, b)| (a - b) * (a - b)).sum::<f64>() / n).sqrt();
@@ -162,7 +165,11 @@ pub fn against_curve(compare: &Compare, reference: &ReferenceCurve, series: &Ser
         Norm::Period => format!("{}, period [s]", compare.quantity),
         _ => compare.quantity.clone(),
     };
-    Some(Comparison { reference, quantity, ours, theirs, error, tolerance })
+    let [t, our_curve, their_curve] =
+        [at.iter().map(|p| p.0).collect(), pairs.iter().map(|p| p.0).collect(), pairs.iter().map(|p| p.1).collect::<Vec<_>>()];
+    let is_curve = !matches!(compare.norm, Norm::Arrival | Norm::Period);
+    let waveform = Waveform::of(&t, &our_curve, &their_curve).filter(|_| is_curve);
+    Some(Comparison { reference, quantity, ours, theirs, error, tolerance, waveform })
 }
 
 /// Compare the similarity numbers with the exact solution, where there is one.
@@ -177,6 +184,7 @@ fn against_similarity(scene: &Scene, ours: &SimilarityResult) -> Vec<Comparison>
         theirs,
         error: ours / theirs - 1.0,
         tolerance: Some(tolerance),
+        waveform: None,
     };
     let mut lines = vec![line("similarity.force_coefficient", ours.force_coefficient, exact.force_coefficient, 0.02)];
     if ours.cp_max.is_finite() {
