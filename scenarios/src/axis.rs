@@ -87,7 +87,7 @@ impl Range {
                 let last = (steps + 1e-9).floor();
                 (last as usize, from + last * step)
             }
-            (None, None) => return Err(format!("`count` (2 to {MOST_POINTS}) or `step` beside `from` and `to`")),
+            (None, None) => return Err(format!("`count` or `step` beside its ends, a count from 2 to {MOST_POINTS}")),
             (Some(_), Some(_)) => return Err("`count` or `step`, not both".into()),
             (Some(_), None) => return Err(format!("a count from 2 to {MOST_POINTS}")),
         };
