@@ -6,6 +6,8 @@
 //! differs between systems. To mint new counters: run `cargo test --release --workspace --test regression`, take the
 //! numbers from the failure's `left`, and say in the commit what changed them.
 
+mod drift;
+
 use std::hash::{DefaultHasher, Hash, Hasher};
 
 use evidence::systems::{system, take};

@@ -24,6 +24,7 @@ pub mod compare;
 mod driver;
 mod error;
 pub mod error_bar;
+pub mod evidence;
 pub mod folder;
 pub mod host;
 mod initial_fluid;

@@ -140,6 +140,14 @@ impl Table {
     }
 }
 
+/// Name and header lines of each built-in table, by name.
+pub fn builtin() -> Vec<(String, Vec<String>)> {
+    let mut names = builtin_names();
+    names.sort();
+    let about = |name: &String| Table::load(name).map_or(Vec::new(), |table| table.about);
+    names.into_iter().map(|name| (name.clone(), about(&name))).collect()
+}
+
 fn builtin_names() -> Vec<String> {
     TABLES.dirs().flat_map(|d| d.files()).map(|f| f.path().display().to_string()).collect()
 }

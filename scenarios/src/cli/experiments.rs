@@ -88,18 +88,75 @@ pub struct ValidateArgs {
     /// Keep each case's files below this folder.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
+    /// Take the numbers from this file, which `validate --json` printed, instead of running.
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["cases", "all", "out"])]
+    from: Option<PathBuf>,
+    /// Write bias and scatter by quantity to this Markdown file.
+    #[arg(long, value_name = "FILE")]
+    quantities: Option<PathBuf>,
+    /// Write the numbers beside those of earlier states to this Markdown file.
+    #[arg(long, value_name = "FILE")]
+    drift: Option<PathBuf>,
+    /// Write the credibility sheet to this Markdown file.
+    #[arg(long, value_name = "FILE")]
+    sheet: Option<PathBuf>,
+    /// Write the list of reference data to this Markdown file.
+    #[arg(long, value_name = "FILE")]
+    data: Option<PathBuf>,
+    /// Write the points, from which reports quote, to this JSON file.
+    #[arg(long, value_name = "FILE")]
+    evidence: Option<PathBuf>,
+}
+
+/// The page of a table of validation: its heading, the option that writes it, its file, and what it shows.
+fn heading(title: &str, option: &str, file: &str) -> String {
+    format!("# {title}\n\nWritten by `splashdown validate --all --{option} docs/src/validation/{file}.md`.\n\n")
 }
 
 const VALIDATION: &str = "# Validation\n\nWritten by `splashdown validate --all --table docs/src/validation/cases.md`.";
 
+const QUANTITIES: &str = "Bias δ: ours over theirs. σ: relative standard deviations. C: score of curves, 0 for the same curve. A true value is below a number of the \
+    program times the 95 % factor with a probability of 95 % (THEORY GE27, GE28). Points of a case are not independent.";
+const DATA: &str = "The tables lie in `scenarios/scene/reference`, CSV with a header of `#` lines; they may be used without this program. Cite the source of \
+    a table, and this project for tables that it computed. Where a repository states no licence, figures are cited from the paper; do not copy \
+    the file as it is. A dash: not stated in the header.";
+const DRIFT: &str = "Tables of earlier states are stored in `scenarios/cases/states`. A changed number needs an entry in the changelog.";
+const SHEET: &str = "Factors of NASA-STD-7009B. The program argues each level from its own numbers.";
+
 pub fn run_validation(output: &Output, args: &ValidateArgs) -> Result<u8, Stop> {
-    if args.selection.is_empty() {
-        return list(&validation::CASES);
+    let lines = match &args.from {
+        Some(path) => validation::stored(path)?,
+        None if args.selection.is_empty() && args.data.is_none() => return list(&validation::CASES),
+        None if args.selection.is_empty() => Vec::new(),
+        None => lines_of(output, &validation::CASES.select(&args.selection.cases)?, |case| {
+            validation::validate(case, args.out.as_ref())
+        })?,
+    };
+    if !lines.is_empty() {
+        args.selection.show(output, &lines, VALIDATION, &validation::table(&lines))?;
     }
-    let lines = lines_of(output, &validation::CASES.select(&args.selection.cases)?, |case| {
-        validation::validate(case, args.out.as_ref())
-    })?;
-    args.selection.show(output, &lines, VALIDATION, &validation::table(&lines))?;
+    let points: Vec<_> = lines.iter().filter_map(|line| line.point.clone()).collect();
+    let pages = [
+        (
+            &args.quantities,
+            heading("Bias and scatter by quantity", "quantities", "quantities"),
+            QUANTITIES,
+            validation::quantities::page(&points),
+        ),
+        (&args.drift, heading("Drift", "drift", "drift"), DRIFT, validation::drift::page(&lines)),
+        (&args.sheet, heading("Credibility", "sheet", "credibility"), SHEET, validation::credibility::page(&lines)),
+    ];
+    if let Some(path) = &args.data {
+        let heading = "# Reference data\n\nWritten by `splashdown validate --data docs/src/validation/data.md`.\n\n";
+        catalogue::write(path, &format!("{heading}{DATA}\n\n{}", validation::data::page()))?;
+    }
+    for (path, heading, about, page) in pages {
+        path.as_ref().map(|path| catalogue::write(path, &format!("{heading}{about}\n\n{page}"))).transpose()?;
+    }
+    if let Some(path) = &args.evidence {
+        let points: Vec<String> = points.iter().map(|p| serde_json::to_string(p).unwrap_or_default()).collect();
+        catalogue::write(path, &format!("[\n{}\n]\n", points.join(",\n")))?;
+    }
     match lines.iter().filter(|l| !l.holds).count() {
         0 => Ok(DONE),
         misses => Err(Stop::Failed(format!("{misses} of {} numbers do not hold", lines.len()))),

@@ -1,5 +1,7 @@
 //! The tables of the page: size and cost, gauges, comparisons, error bars, force rules, audit.
 
+use run::evidence::{self, Quantity};
+use scene::vocabulary::{self, ResultId};
 use sph_core::Phase;
 
 use super::folder::RunFolder;
@@ -79,6 +81,12 @@ fn compressibility_in_words(c: &Compressibility) -> String {
 }
 
 /// Results as a table, with what the cards have no room for; nothing where the run failed.
+/// GE28: the value that a result does not exceed with a probability of 95 %, where its quantity has been judged by enough references.
+fn not_exceeded(model: &str, id: &ResultId, q: &vocabulary::Quantity) -> Option<f64> {
+    let known = evidence::known(Quantity::of_result(id.name)?, model)?;
+    Some(q.shown()? * known.not_exceeded()?).filter(|_| q.verdict.is_sound())
+}
+
 pub(super) fn results_section(run: &RunFolder) -> Vec<Block> {
     if run.has_failed() {
         return Vec::new();
@@ -94,6 +102,7 @@ pub(super) fn results_section(run: &RunFolder) -> Vec<Block> {
             verdict_of(run, &id, q),
             // an integral, and a stress, are not averaged
             q.cutoff_hz.map_or("–".into(), |_| with_unit(q.raw, si)),
+            not_exceeded(run.model(), &id, q).map_or("–".into(), |value| with_unit(value, si)),
         ]
     });
     let mut rows: Vec<Vec<String>> = rows.collect();
@@ -106,12 +115,13 @@ pub(super) fn results_section(run: &RunFolder) -> Vec<Block> {
             &class,
             "",
             "",
+            "",
         ]));
     }
     let mut text = match run.record.results.bandwidth_by {
         Some(by) => format!(
-            "Peaks of force, acceleration and pressure are means. The bandwidth of the force is {}. The last column is the largest value of a \
-             single step.",
+            "Peaks of force, acceleration and pressure are means. The bandwidth of the force is {}. The column of single steps has the \
+             largest of all steps.",
             by.words()
         ),
         None => String::new(),
@@ -119,7 +129,11 @@ pub(super) fn results_section(run: &RunFolder) -> Vec<Block> {
     if !results.panels.is_empty() {
         text += " A stress is the largest of every step, for a structure averages by itself.";
     }
-    let head = ["result", "value ± band", "at", "averaged below", "verdict", "single step"];
+    if results.named().any(|(id, q)| not_exceeded(run.model(), &id, q).is_some()) {
+        text += " The true value is below the last column with a probability of 95 %, by bias and scatter of such numbers against \
+                 references; what the references do not have, as air, ends and speed of a real body, is not in it.";
+    }
+    let head = ["result", "value ± band", "at", "averaged below", "verdict", "single step", "below, 95 %"];
     table_section(text.trim(), Table::new("Results", &head, rows))
 }
 

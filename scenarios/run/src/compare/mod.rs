@@ -165,8 +165,11 @@ pub fn against_curve(compare: &Compare, reference: &ReferenceCurve, series: &Ser
         Norm::Period => format!("{}, period [s]", compare.quantity),
         _ => compare.quantity.clone(),
     };
-    let [t, our_curve, their_curve] =
-        [at.iter().map(|p| p.0).collect(), pairs.iter().map(|p| p.0).collect(), pairs.iter().map(|p| p.1).collect::<Vec<_>>()];
+    let [t, our_curve, their_curve] = [
+        at.iter().map(|p| p.0).collect(),
+        pairs.iter().map(|p| p.0).collect(),
+        pairs.iter().map(|p| p.1).collect::<Vec<_>>(),
+    ];
     let is_curve = !matches!(compare.norm, Norm::Arrival | Norm::Period);
     let waveform = Waveform::of(&t, &our_curve, &their_curve).filter(|_| is_curve);
     Some(Comparison { reference, quantity, ours, theirs, error, tolerance, waveform })

@@ -39,12 +39,15 @@ mod tests {
     #[test]
     fn a_larger_sine_has_a_magnitude_and_a_late_one_a_phase() {
         let times: Vec<f64> = (0..=1000).map(|k| 0.001 * f64::from(k)).collect();
-        let sine = |size: f64, late: f64| -> Vec<f64> { times.iter().map(|t| size * (TAU * (t - late)).sin()).collect() };
+        let sine =
+            |size: f64, late: f64| -> Vec<f64> { times.iter().map(|t| size * (TAU * (t - late)).sin()).collect() };
         let of = |size, late| Waveform::of(&times, &sine(size, late), &sine(1.0, 0.0)).expect("curves");
         let larger = of(1.2, 0.0);
         assert!((larger.magnitude - 0.2).abs() < 1e-12 && larger.phase < 1e-7);
         let late = of(1.0, 0.1); // 36 of 180 degrees
-        assert!(late.magnitude.abs() < 1e-12 && (late.phase - 0.2).abs() < 1e-12 && (late.combined - 0.2).abs() < 1e-12);
+        assert!(
+            late.magnitude.abs() < 1e-12 && (late.phase - 0.2).abs() < 1e-12 && (late.combined - 0.2).abs() < 1e-12
+        );
         assert_eq!(Waveform::of(&times, &sine(0.0, 0.0), &sine(1.0, 0.0)), None);
         assert_eq!(Waveform::of(&times[..2], &[1.0, 1.0], &[1.0, 1.0]), None);
     }

@@ -1,6 +1,7 @@
 //! A number of the program beside a reference, and where the reference comes from.
 
 use scene::reference::Table;
+use scene::{Bottom, Scene};
 use serde::{Deserialize, Serialize};
 
 use super::quantity::Quantity;
@@ -59,6 +60,34 @@ impl Pedigree {
     }
 }
 
+/// Where a point lies: what its run was.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Setup {
+    /// Deadrise [deg], of bodies with straight faces that enter.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub deadrise_deg: Option<f64>,
+    /// Speed at contact [m/s], of bodies that enter.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub speed: Option<f64>,
+    /// Spacings in the draught at the peak, or at the end of the run where that is less, of bodies that enter a water of particles [-].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub spacings: Option<f64>,
+}
+
+impl Setup {
+    /// Of a scene; empty without a body that enters.
+    pub fn of(scene: &Scene) -> Setup {
+        let Some(entry) = scene.entry() else { return Setup::default() };
+        let deadrise = match entry.bottom {
+            Bottom::Wedge { slope } => Some(slope.atan().to_degrees()),
+            Bottom::Arc { .. } => None,
+        };
+        let draught = entry.peak_draught.min(entry.final_draught);
+        let spacings = (!scene.model.is_theory() && draught > 0.0).then(|| draught / scene.resolution.spacing);
+        Setup { deadrise_deg: deadrise, speed: Some(entry.speed), spacings }
+    }
+}
+
 /// A number of the program beside a reference.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Point {
@@ -72,9 +101,15 @@ pub struct Point {
     pub model: String,
     /// Ours over theirs; of a curve 1 + M (THEORY GE27) [-].
     pub ratio: f64,
+    /// Score C of a curve (GE27) [-].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub waveform: Option<f64>,
     /// Relative numerical uncertainty u_num of the run, where it states one [-].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub numerical: Option<f64>,
+    /// Where it lies.
+    #[serde(default)]
+    pub setup: Setup,
     /// The reference.
     #[serde(flatten)]
     pub reference: Pedigree,

@@ -63,7 +63,7 @@ impl Statistics {
 
 #[cfg(test)]
 mod tests {
-    use super::super::point::{Nature, Pedigree};
+    use super::super::point::{Nature, Pedigree, Setup};
     use super::super::quantity::Quantity;
     use super::*;
 
@@ -76,7 +76,9 @@ mod tests {
             number: text(),
             model: text(),
             ratio,
+            waveform: None,
             numerical: None,
+            setup: Setup::default(),
             reference,
         }
     }

@@ -17,7 +17,7 @@
 //! | [`gauges`], [`keel`], [`gaps`] | gauges; steep keels; narrow gaps |
 //! | [`waves`] | wave makers and beaches |
 //! | [`plausible`] | numbers that are hardly meant |
-//! | [`crate::unusual`] | settings with which no band was measured |
+//! | `unusual.rs`, beside this folder | settings with which no band was measured |
 
 pub mod air;
 pub mod compressibility;

@@ -3,10 +3,18 @@
 //! A case is a TOML file in `scenarios/cases/validation`: a scene, overrides, and the values that its `summary.json` must
 //! have. A case contains no source code.
 
-use std::path::PathBuf;
+pub mod credibility;
+pub mod data;
+pub mod drift;
+pub mod quantities;
+
+use std::path::{Path, PathBuf};
 
 use include_dir::{Dir, include_dir};
 use report::{Column, Table};
+use run::compare::Comparison;
+use run::evidence::{Nature, Pedigree, Point, Quantity, Setup};
+use run::numbers::Numbers;
 use run::{self, RunOptions};
 use scene::Scene;
 use serde::{Deserialize, Serialize};
@@ -14,6 +22,10 @@ use serde::{Deserialize, Serialize};
 use super::catalogue::{self, Catalogue};
 use super::runs::RunRecord;
 use super::{ExperimentError, yes};
+use crate::ditching;
+
+/// The model of landings, as points name it.
+const LANDING: &str = "strips";
 
 static FOLDER: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/cases/validation");
 
@@ -30,7 +42,11 @@ pub struct Case {
     /// What is shown.
     pub about: String,
     /// Name of a built-in scene, or path of a scene file.
+    #[serde(default)]
     pub scene: String,
+    /// Landing instead of a scene, likewise.
+    #[serde(default)]
+    pub ditch: String,
     /// Overrides, as for `--set`.
     #[serde(default)]
     pub set: Vec<String>,
@@ -42,6 +58,19 @@ pub struct Case {
     pub expect: Vec<Expect>,
     /// A coarser run of the same, whose errors must be larger.
     pub coarser: Option<Coarser>,
+    /// Further runs of the same with overrides and numbers of their own.
+    #[serde(default)]
+    pub variant: Vec<Variant>,
+}
+
+/// A further run of a case.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Variant {
+    /// Further overrides.
+    pub set: Vec<String>,
+    /// Numbers that must hold.
+    pub expect: Vec<Expect>,
 }
 
 /// A number of `summary.json` and its allowed range: near a reference, or within bounds.
@@ -51,6 +80,9 @@ pub struct Expect {
     /// Path in `summary.json`, keys joined by `/`.
     #[serde(alias = "path")]
     pub value: String,
+    /// Further paths: the largest of all numbers counts.
+    #[serde(default)]
+    pub largest_of: Vec<String>,
     /// The reference value.
     #[serde(alias = "exact")]
     pub reference: Option<f64>,
@@ -60,6 +92,10 @@ pub struct Expect {
     pub at_most: Option<f64>,
     /// Source of the reference.
     pub source: String,
+    /// What the reference is; absent: what the header of the table says that `source` names, else an exact solution.
+    pub nature: Option<Nature>,
+    /// Relative standard uncertainty of the reference [-]; absent: as its table says, 0 for an exact one.
+    pub uncertainty: Option<f64>,
 }
 
 /// A coarser run.
@@ -77,7 +113,7 @@ pub struct Coarser {
 }
 
 /// A line of the table.
-#[derive(Clone, Debug, Default, Serialize)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct Line {
     /// The case.
     pub case: String,
@@ -97,6 +133,9 @@ pub struct Line {
     pub source: String,
     /// Core-seconds of the case's run.
     pub core_seconds: f64,
+    /// The number as evidence of a quantity; absent where it has no reference.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub point: Option<Point>,
 }
 
 impl catalogue::Case for Case {
@@ -114,24 +153,57 @@ impl catalogue::Case for Case {
 /// # Errors
 /// The scene is wrong, or its run could not be made.
 pub fn validate(case: &Case, out: Option<&PathBuf>) -> Result<Vec<Line>, ExperimentError> {
-    let (scene, run) = run_with(case, &[], out.map(|dir| dir.join(&case.name)))?;
-    let mut lines: Vec<Line> = case.expect.iter().map(|e| judge(e, &run)).collect();
+    let out = out.map(|dir| dir.join(&case.name));
+    let mut lines = if case.ditch.is_empty() { of_scene(case, out)? } else { of_landing(case, &[], &case.expect)? };
+    for variant in &case.variant {
+        lines.extend(match case.ditch.is_empty() {
+            true => {
+                let (scene, run) = run_with(case, &variant.set, None)?;
+                judged(&variant.expect, &scene, &run)
+            }
+            false => of_landing(case, &variant.set, &variant.expect)?,
+        });
+    }
+    for line in &mut lines {
+        line.case.clone_from(&case.name);
+        line.point.iter_mut().for_each(|point| point.case.clone_from(&case.name));
+    }
+    Ok(lines)
+}
+
+/// The lines of a run: of the numbers that are expected.
+fn judged(expect: &[Expect], scene: &Scene, run: &RunRecord) -> Vec<Line> {
+    let of = |e| judge(e, &run.numbers, run.summary.model, Setup::of(scene));
+    let mut lines: Vec<Line> = expect.iter().map(of).collect();
+    ended(&mut lines, run.core_seconds(), run.summary.status.is_completed());
+    lines
+}
+
+fn ended(lines: &mut [Line], core_seconds: f64, completed: bool) {
+    for line in lines {
+        line.core_seconds = core_seconds;
+        line.holds &= completed;
+    }
+}
+
+fn of_landing(case: &Case, further: &[String], expect: &[Expect]) -> Result<Vec<Line>, ExperimentError> {
+    let landed = ditching::follow(&ditching::load(&case.ditch, &[&case.set, further].concat())?).summary;
+    let numbers = Numbers::of(&landed);
+    let mut lines: Vec<Line> = expect.iter().map(|e| judge(e, &numbers, LANDING, Setup::default())).collect();
+    ended(&mut lines, landed.wall_time_s, landed.status.is_completed());
+    Ok(lines)
+}
+
+fn of_scene(case: &Case, out: Option<PathBuf>) -> Result<Vec<Line>, ExperimentError> {
+    let (scene, run) = run_with(case, &[], out)?;
+    let mut lines = judged(&case.expect, &scene, &run);
     if case.comparisons {
-        let judged = run.summary.comparison.iter().filter(|c| c.tolerance.is_some());
-        lines.extend(judged.clone().map(|c| Line {
-            quantity: c.quantity.clone(),
-            ours: c.ours,
-            theirs: number(c.theirs),
-            error: Some(c.error),
-            allowed: c.tolerance.map_or(String::new(), number),
-            holds: c.passes(),
-            source: c.reference.clone(),
-            ..Line::default()
-        }));
-        let (judged, asked) = (judged.count(), scene.compare.iter().filter(|c| c.tolerance.is_some()).count());
-        lines.extend((judged < asked).then(|| Line {
+        lines.extend(run.summary.comparison.iter().map(|c| of_comparison(c, run.summary.model, Setup::of(&scene))));
+        let found = run.summary.comparison.iter().filter(|c| c.tolerance.is_some()).count();
+        let asked = scene.compare.iter().filter(|c| c.tolerance.is_some()).count();
+        lines.extend((found < asked).then(|| Line {
             quantity: "comparisons that the run could be judged by".into(),
-            ours: judged as f64,
+            ours: found as f64,
             theirs: number(asked as f64),
             allowed: "all".into(),
             source: case.scene.clone(),
@@ -142,11 +214,35 @@ pub fn validate(case: &Case, out: Option<&PathBuf>) -> Result<Vec<Line>, Experim
         let coarse = run_with(case, &coarser.set, None)?.1;
         lines.extend(coarser.error_falls.iter().map(|path| falls(case, coarser, path, &run, &coarse)));
     }
-    for line in &mut lines {
-        (line.case, line.core_seconds) = (case.name.clone(), run.core_seconds());
-        line.holds &= run.summary.status.is_completed();
-    }
+    ended(&mut lines, run.core_seconds(), run.summary.status.is_completed());
     Ok(lines)
+}
+
+/// The line of a comparison, of a curve or of a single number, with a reference.
+fn of_comparison(c: &Comparison, model: &str, setup: Setup) -> Line {
+    let ratio = c.waveform.filter(|_| !c.quantity.contains(',')).map_or(c.ours / c.theirs, |w| 1.0 + w.magnitude);
+    let point = |quantity| Point {
+        quantity,
+        case: String::new(),
+        number: c.quantity.clone(),
+        model: model.into(),
+        ratio,
+        waveform: c.waveform.map(|w| w.combined),
+        numerical: None,
+        setup,
+        reference: Pedigree::of(&c.reference),
+    };
+    Line {
+        quantity: c.quantity.clone(),
+        ours: c.ours,
+        theirs: number(c.theirs),
+        error: Some(c.error),
+        allowed: c.tolerance.map_or("not judged".into(), number),
+        holds: c.passes(),
+        source: c.reference.clone(),
+        point: Quantity::of(&c.quantity).map(point),
+        ..Line::default()
+    }
 }
 
 fn run_with(case: &Case, further: &[String], out: Option<PathBuf>) -> Result<(Scene, RunRecord), ExperimentError> {
@@ -162,8 +258,9 @@ fn run_with(case: &Case, further: &[String], out: Option<PathBuf>) -> Result<(Sc
     Ok((loaded.scene, RunRecord::new(summary)))
 }
 
-fn judge(expect: &Expect, run: &RunRecord) -> Line {
-    let ours = run.numbers.get(&expect.value).unwrap_or(f64::NAN);
+fn judge(expect: &Expect, numbers: &Numbers, model: &str, setup: Setup) -> Line {
+    let paths = std::iter::once(&expect.value).chain(&expect.largest_of);
+    let ours = paths.filter_map(|path| numbers.get(path)).reduce(f64::max).unwrap_or(f64::NAN);
     let error = expect.reference.map(|r| ours / r - 1.0);
     let near = match (error, expect.tolerance) {
         (Some(error), Some(tolerance)) => error.abs() <= tolerance,
@@ -181,7 +278,29 @@ fn judge(expect: &Expect, run: &RunRecord) -> Line {
         allowed: allowed.join(", "),
         holds: near && bounded && ours.is_finite(),
         source: expect.source.clone(),
+        point: expect.reference.zip(Quantity::of(&expect.value)).map(|(reference, quantity)| Point {
+            quantity,
+            case: String::new(),
+            number: expect.value.clone(),
+            model: model.into(),
+            ratio: ours / reference,
+            waveform: None,
+            numerical: expect
+                .value
+                .strip_suffix("/value")
+                .and_then(|result| Some((numbers.get(&format!("{result}/band"))? / ours).abs())),
+            setup,
+            reference: expect.pedigree(),
+        }),
         ..Line::default()
+    }
+}
+
+impl Expect {
+    fn pedigree(&self) -> Pedigree {
+        let Pedigree { nature, uncertainty } = Pedigree::of(&self.source);
+        let nature = self.nature.unwrap_or(nature);
+        Pedigree { nature, uncertainty: self.uncertainty.or(uncertainty.filter(|_| self.nature.is_none())) }
     }
 }
 
@@ -201,6 +320,14 @@ fn falls(case: &Case, coarser: &Coarser, path: &str, fine: &RunRecord, coarse: &
         source: coarser.set.join(" "),
         ..Line::default()
     }
+}
+
+/// Lines that `splashdown validate --json` printed.
+///
+/// # Errors
+/// The file cannot be read, or holds something else.
+pub fn stored(path: &Path) -> Result<Vec<Line>, ExperimentError> {
+    CASES.stored(path)
 }
 
 /// The table as Markdown.
