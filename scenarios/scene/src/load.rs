@@ -60,6 +60,14 @@ pub struct Loaded {
     source: Source,
 }
 
+impl Loaded {
+    /// True where the scene's file or an override names a key of the top level.
+    pub fn names(&self, key: &str) -> bool {
+        let in_file = self.source.table().is_ok_and(|table| table.contains_key(key));
+        in_file || self.source.sets.iter().any(|set| set.split('=').next().is_some_and(|name| name.trim() == key))
+    }
+}
+
 static FILES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/scenes");
 
 /// Name and text of each built-in scene, by name.

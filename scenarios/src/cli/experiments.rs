@@ -1,5 +1,6 @@
 //! Experiments on the command line: selection of cases, their list, tables and files.
 
+pub(super) mod accuracy;
 pub(super) mod convergence;
 pub(super) mod stability;
 pub(super) mod work_precision;
@@ -11,7 +12,9 @@ use serde::Serialize;
 
 use super::shared::{DONE, Output, Stop, say};
 use crate::experiments::catalogue::{self, Case, Catalogue};
-use crate::experiments::{ExperimentError, coverage, uncharted, validation};
+use crate::experiments::{
+    ExperimentError, coverage, stability as stability_maps, uncharted, validation, work_precision as charts,
+};
 
 /// Cases of an experiment, and the file of its table.
 #[derive(Args)]
@@ -136,6 +139,11 @@ pub fn run_validation(output: &Output, args: &ValidateArgs) -> Result<u8, Stop> 
         args.selection.show(output, &lines, VALIDATION, &validation::table(&lines))?;
     }
     let points: Vec<_> = lines.iter().filter_map(|line| line.point.clone()).collect();
+    let experiments = validation::credibility::Experiments {
+        charts: charts::CHARTS.all()?.len(),
+        maps: stability_maps::MAPS.all()?.len(),
+        bands: coverage::CASES.all()?.len(),
+    };
     let pages = [
         (
             &args.quantities,
@@ -144,7 +152,12 @@ pub fn run_validation(output: &Output, args: &ValidateArgs) -> Result<u8, Stop> 
             validation::quantities::page(&points),
         ),
         (&args.drift, heading("Drift", "drift", "drift"), DRIFT, validation::drift::page(&lines)),
-        (&args.sheet, heading("Credibility", "sheet", "credibility"), SHEET, validation::credibility::page(&lines)),
+        (
+            &args.sheet,
+            heading("Credibility", "sheet", "credibility"),
+            SHEET,
+            validation::credibility::page(&lines, experiments),
+        ),
     ];
     if let Some(path) = &args.data {
         let heading = "# Reference data\n\nWritten by `splashdown validate --data docs/src/validation/data.md`.\n\n";

@@ -9,9 +9,16 @@ use run::folder::refuse_occupied;
 use run::summary::Summary;
 use run::{Checkpoints, RunOptions, run};
 
-use super::experiments::convergence;
+use super::experiments::{accuracy, convergence};
 use super::progress::{interval, listen, step_to_end, viewers_at};
 use super::shared::{LiveArgs, Output, SceneArgs, Stop, load, seconds};
+
+/// A share of a value, from a number of percent with or without its sign.
+fn percent(text: &str) -> Result<f64, String> {
+    let number = text.trim().trim_end_matches('%').trim().parse::<f64>().ok();
+    let share = number.map(|percent| percent / 100.0).filter(|share| (1e-3..=0.5).contains(share));
+    share.ok_or_else(|| "expected a number of percent from 0.1 to 50, such as 5%".into())
+}
 
 #[derive(Args)]
 pub(super) struct RunArgs {
@@ -29,17 +36,24 @@ pub(super) struct RunArgs {
     #[command(flatten)]
     live: LiveArgs,
     /// Write checkpoint.bin at this interval of simulated time, and at the end: `splashdown resume` continues from there.
-    #[arg(long, value_name = "SECONDS", conflicts_with = "converge", value_parser = seconds)]
+    #[arg(long, value_name = "SECONDS", conflicts_with = "study", value_parser = seconds)]
     checkpoint_every: Option<f64>,
     /// Run at 4 and 2 times the spacing first, and extrapolate the main numbers, with error bars.
-    #[arg(long)]
+    #[arg(long, group = "study")]
     converge: bool,
-    /// A number for an error bar, by its path in summary.json (repeatable; default: the scene's main ones).
-    #[arg(long = "quantity", value_name = "PATH", requires = "converge")]
+    /// Choose model and spacing so that each quoted result is within this share of its value, as 5%: cost first, then the runs, a folder each.
+    #[arg(long, value_name = "PERCENT", group = "study", value_parser = percent, conflicts_with_all = ["log_budget", "live"])]
+    to: Option<f64>,
+    /// A number for an error bar, by its path in summary.json (default: the scene's main ones); with --to a result, as peak_force_N_per_m or
+    /// PANEL.peak_stress_Pa (default: all). Repeatable.
+    #[arg(long = "quantity", value_name = "PATH", requires = "study")]
     quantities: Vec<String>,
 }
 
 pub(super) fn run_scene(output: &Output, args: &RunArgs) -> Result<u8, Stop> {
+    if let Some(share) = args.to {
+        return accuracy::run_to(output, &args.scene, share, &args.quantities, args.out.clone());
+    }
     let SceneArgs { scene, mut sets } = args.scene.clone();
     sets.extend(args.log_budget.map(|megabytes| format!("report.log_budget={megabytes:?}")));
     let given = SceneArgs { scene, sets };

@@ -40,6 +40,12 @@ impl ExperimentError {
         ExperimentError::Input { key: "--quantity", given: path.to_string(), expected }
     }
 
+    /// Results that a run does not quote.
+    pub(crate) fn unknown_result(given: &[String], known: &[String]) -> ExperimentError {
+        let expected = format!("results of the scene: {}", known.join(", "));
+        ExperimentError::Input { key: "--quantity", given: given.join(", "), expected }
+    }
+
     /// True if the input is at fault, not the run or the disk.
     pub fn is_input(&self) -> bool {
         match self {

@@ -9,6 +9,7 @@
 //! |---|---|---|---|
 //! | `validate` | [`validation`] | the case; a coarser run | tolerances against measured and exact values |
 //! | `study`, `run --converge` | [`convergence`] | spacings, sound speeds | observed order, extrapolated value, error bar |
+//! | `run --to` | [`accuracy`] | models, spacings | bands of the quoted results |
 //! | `bands` | [`coverage`] | spacings in the ratio 4 : 2 : 1 | does the error bar contain the exact value? |
 //! | `bands --uncharted` | [`uncharted`] | angles, speeds, spacings at random | does a charted error bar contain the exact value? |
 //! | `chart` | [`work_precision`] | families of settings at growing effort | error against cost, Pareto front |
@@ -23,6 +24,7 @@
 //! # Ok::<(), scenarios::experiments::ExperimentError>(())
 //! ```
 
+pub mod accuracy;
 pub mod catalogue;
 pub mod convergence;
 pub mod coverage;

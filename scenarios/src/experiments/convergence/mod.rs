@@ -17,6 +17,7 @@ use super::runs::{run_to_end, scene_with};
 
 pub use fit::{Fit, Sample, fit};
 pub use page::{page, text};
+pub(super) use refinement::sound_share;
 pub use refinement::{Refinement, coarser_runs};
 
 /// What is run.

@@ -101,7 +101,7 @@ impl Refinement {
 
 /// Relative error of a number due to the sound speed [-]: WC17 with an entry, M² of the fastest known speed without, as in the
 /// laws of GE16; `None` where neither holds.
-fn sound_share(scene: &Scene) -> Option<f64> {
+pub(crate) fn sound_share(scene: &Scene) -> Option<f64> {
     let sound = scene.sound_speed();
     match scene.entry() {
         _ if scene.solver.is_incompressible() => Some(0.0),

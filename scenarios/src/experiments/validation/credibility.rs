@@ -3,9 +3,8 @@
 use report::Table;
 use run::evidence::{LEAST_POINTS, Nature, Point, Quantity, Statistics};
 
-use super::drift::states;
 use super::Line;
-use crate::experiments::{coverage, stability, work_precision};
+use super::drift::states;
 
 /// A factor of the standard: its level, 0 to 4, and why it is neither higher nor lower.
 struct Factor {
@@ -29,12 +28,10 @@ struct Counts {
     worst_bias: f64,
     worst_scatter: f64,
     states: usize,
-    maps: usize,
-    charts: usize,
-    bands: usize,
+    experiments: Experiments,
 }
 
-fn counts(lines: &[Line]) -> Counts {
+fn counts(lines: &[Line], experiments: Experiments) -> Counts {
     let points: Vec<&Point> = lines.iter().filter_map(|line| line.point.as_ref()).collect();
     let of = |q: Quantity| Statistics::of(&points.iter().copied().filter(|p| p.quantity == q).collect::<Vec<_>>());
     let found: Vec<Statistics> = Quantity::all().filter_map(of).filter(|s| s.points >= LEAST_POINTS).collect();
@@ -45,7 +42,6 @@ fn counts(lines: &[Line]) -> Counts {
     cases.dedup();
     let uncertain: Vec<(f64, f64)> =
         points.iter().filter_map(|p| Some(((p.ratio - 1.0).abs(), p.validation_uncertainty()?))).collect();
-    let count = |all: Result<usize, _>| -> usize { all.unwrap_or_else(|_: crate::experiments::ExperimentError| 0) };
     Counts {
         lines: lines.len(),
         holding: lines.iter().filter(|line| line.holds).count(),
@@ -59,9 +55,7 @@ fn counts(lines: &[Line]) -> Counts {
         worst_bias: found.iter().map(|s| (s.bias - 1.0).abs()).fold(0.0, f64::max),
         worst_scatter: found.iter().filter_map(|s| s.scatter).fold(0.0, f64::max),
         states: states().len(),
-        maps: count(stability::MAPS.all().map(|all| all.len())),
-        charts: count(work_precision::CHARTS.all().map(|all| all.len())),
-        bands: count(coverage::CASES.all().map(|all| all.len())),
+        experiments,
     }
 }
 
@@ -85,7 +79,7 @@ fn factors(c: &Counts) -> Vec<Factor> {
             because: format!(
                 "{} numbers are compared with exact solutions, {} of {} numbers of all cases hold; tests of each equation run at each change; \
                  numerical errors are charted for {} set-ups",
-                c.exact, c.holding, c.lines, c.charts
+                c.exact, c.holding, c.lines, c.experiments.charts
             ),
             next: "a review of the code by others",
         },
@@ -117,7 +111,7 @@ fn factors(c: &Counts) -> Vec<Factor> {
             because: format!(
                 "each result has a band for the numerical error or says why not; {} of {} errors are within twice the validation uncertainty \
                  where both parts are known; {} cases test error bars; uncertain inputs are not propagated by the program",
-                c.within.0, c.within.1, c.bands
+                c.within.0, c.within.1, c.experiments.bands
             ),
             next: "distributions of inputs",
         },
@@ -125,8 +119,8 @@ fn factors(c: &Counts) -> Vec<Factor> {
             name: "Results robustness",
             level: 2,
             because: format!(
-                "{} maps show where methods fail, sweeps show how results follow inputs; the sensitivity of a user's scene is the user's to run",
-                c.maps
+                "{} maps show where methods fail, tables of many runs show how results follow inputs; the sensitivity of a user's scene is the user's to run",
+                c.experiments.maps
             ),
             next: "sensitivities in the report of each run",
         },
@@ -149,9 +143,20 @@ fn factors(c: &Counts) -> Vec<Factor> {
     ]
 }
 
+/// How many experiments of each kind the program has.
+#[derive(Clone, Copy, Debug)]
+pub struct Experiments {
+    /// Work–precision charts.
+    pub charts: usize,
+    /// Maps of stability.
+    pub maps: usize,
+    /// Cases of error bars.
+    pub bands: usize,
+}
+
 /// The sheet as Markdown.
-pub fn page(lines: &[Line]) -> String {
-    let rows = factors(&counts(lines))
+pub fn page(lines: &[Line], experiments: Experiments) -> String {
+    let rows = factors(&counts(lines, experiments))
         .into_iter()
         .map(|f| vec![f.name.to_string(), f.level.to_string(), f.because, f.next.to_string()])
         .collect();
