@@ -5,7 +5,7 @@ use structure_fe::State;
 
 use crate::bodies::bending::deformed_outline::DeformedOutline;
 use crate::bodies::bending::surface_layout::SurfaceLayout;
-use crate::bodies::bending::surface_map::{Attachment, Nodal};
+use crate::bodies::bending::surface_map::{Attachment, Influence, Nodal};
 use crate::bodies::rigid_motion::RigidMotion;
 use crate::bodies::state::SurfacePoint;
 use crate::geometry::outline::Outline;
@@ -16,7 +16,7 @@ use crate::geometry::vector::rotate;
 
 /// Displacements, velocities and accelerations of the nodes.
 #[derive(Clone, Copy)]
-pub(crate) struct NodalMotion<'a> {
+pub struct NodalMotion<'a> {
     pub displacement: Nodal<'a>,
     pub velocity: Nodal<'a>,
     pub acceleration: Nodal<'a>,
@@ -29,7 +29,7 @@ impl<'a> From<&'a State> for NodalMotion<'a> {
 }
 
 /// The surface of a body that bends, with its boundary particles attached to nodes.
-pub(crate) struct BendingSurface {
+pub struct BendingSurface {
     pub layout: SurfaceLayout,
     /// The outline now [m, body's frame].
     pub outline: Outline,
@@ -97,6 +97,22 @@ impl BendingSurface {
             own_image: self.half,
         };
         self.plate.iter().map(midline).collect()
+    }
+
+    /// Velocities of the boundary particles [m/s].
+    pub fn velocities(&self, now: NodalMotion) -> Vec<[f64; 2]> {
+        let of = |attachment| self.layout.map.velocity(attachment, now.displacement, now.velocity);
+        self.attachments.iter().map(of).collect()
+    }
+
+    /// CO15 of the boundary particles, where the nodes are displaced by q.
+    pub fn influences(&self, q: Nodal) -> Vec<Influence> {
+        self.attachments.iter().map(|attachment| self.layout.map.influence(attachment, q)).collect()
+    }
+
+    /// Motion of the body's frame, about its origin.
+    pub fn frame(&self, now: NodalMotion) -> RigidMotion {
+        self.layout.frame(now.displacement, now.velocity, now.acceleration)
     }
 
     /// Hᵀ: the mean forces and those now, added to loads on the nodes displaced by q. Returns the resultant now, with its moment about

@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use crate::bodies::bending::surface_map::{Attachment, Nodal, SurfaceMap};
 use crate::bodies::rigid_motion::RigidMotion;
+use crate::geometry::outline::Outline;
 use crate::geometry::polyline::Polyline;
 use crate::geometry::vector::rotate;
 
@@ -14,6 +15,11 @@ pub struct Span {
     pub reach: [f64; 2],
     /// Its elements.
     pub elements: Range<usize>,
+}
+
+/// The line that the parts of a body lie along: its middle line [m], or its outline.
+pub(crate) fn line_of(outline: &Outline, middle: Option<&[[f64; 2]]>) -> Polyline {
+    middle.map_or_else(|| Polyline::closed(&outline.loops()[0]), |middle| Polyline::open(middle.to_vec()))
 }
 
 /// The line of a body, the parts of it that bend, and the map from the nodes to its points.

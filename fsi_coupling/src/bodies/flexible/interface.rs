@@ -1,79 +1,63 @@
 //! The interface of a flexible body to coupling schemes: an acceleration for each degree of freedom (THEORY CO18).
 
-use sph_core::walls::interface::{InterfaceDynamics, InterfaceLoad, InterfaceResidual, ParticleLoad};
-use sph_core::{WallForces, WallsMut};
-use structure_fe::{Dynamics, EffectiveInertia, State};
+use sph_core::walls::interface::ParticleLoad;
+use structure_fe::{Dynamics, EffectiveInertia, Error, State};
 
-use crate::bodies::bending::surface_map::{Attachment, Influence, SurfaceMap};
-use crate::bodies::error::BodyError;
+use crate::bodies::bending::interface::{BendingInterface, StepEquations};
+use crate::bodies::bending::surface_map::Influence;
 
-/// Values of all nodes, `[nodes][x, y, turn]`.
-type Field = Vec<[f64; 3]>;
-
-/// A structure under the forces at the end of a step.
-pub struct FlexibleInterface {
+/// The linear equations of finite elements in a step. Turns count among the accelerations by a length [m].
+pub(crate) struct PanelEquations {
     /// CO15 of each boundary particle, at the end of the step.
     influences: Vec<Influence>,
-    /// Accelerations that the particles' kinematics are written with [m/s², rad/s²].
-    predicted: Field,
-    /// What the accelerations now supposed are beyond these.
-    change: Field,
-    /// What the structure's forces alone would change: of the predicted motion, without the fluid.
-    alone: Field,
     /// Inertia in a step of the structure, M + θ²Δt²K + θΔt C.
     inertia: EffectiveInertia,
-    /// Forces on the structure from anything but the fluid, less what the predicted accelerations need [N/m, N].
-    residual: Field,
-    /// As `alone`, of the mean accelerations of the step under its mean forces (CO24).
-    alone_in_mean: Field,
-    /// Velocities of the particles at the step's start [m/s].
-    begun: Vec<[f64; 2]>,
-    /// By which turns count among the unknowns [m].
-    scale: Vec<f64>,
 }
 
-impl FlexibleInterface {
-    /// Of a structure whose motion at the start and, as predicted, at the end of a step of `dt` [s] is `now` and `then`, under
-    /// the loads on its nodes that are not the fluid's [N/m, N].
-    pub fn new(
-        name: &str,
-        dynamics: &mut Dynamics,
-        (map, attachments): (&SurfaceMap, &[Attachment]),
-        (now, then): (&State, &State),
-        weight: &[[f64; 3]],
-        dt: f64,
-    ) -> Result<FlexibleInterface, BodyError> {
-        let wrong = |error: structure_fe::Error| BodyError::structure(name, &error);
-        let amid = dynamics.residual(&amid(now, dynamics.end_weight(), dt), weight);
-        let inertia = dynamics.effective_inertia(then, dt);
-        let residual = dynamics.residual(then, weight);
-        let alone = inertia.clone().solve(&residual).map_err(wrong)?;
-        let alone_in_mean = inertia.clone().solve(&amid).map_err(wrong)?;
-        let begin = |attachment| map.velocity(attachment, &now.displacement, &now.velocity);
-        Ok(FlexibleInterface {
-            influences: attachments.iter().map(|attachment| map.influence(attachment, &then.displacement)).collect(),
-            predicted: then.acceleration.clone(),
-            change: vec![[0.0; 3]; alone.len()],
-            alone,
-            alone_in_mean,
-            begun: attachments.iter().map(begin).collect(),
-            inertia,
-            residual,
-            scale: lengths(dynamics),
-        })
+/// Of a structure whose motion at the start and, as predicted, at the end of a step of `dt` [s] is `now` and `then`, under the loads on
+/// its nodes that are not the fluid's [N/m, N]; its particles have influences at the end and velocities at the start [m/s].
+pub(crate) fn interface_of(
+    dynamics: &mut Dynamics,
+    (influences, begun): (Vec<Influence>, Vec<[f64; 2]>),
+    (now, then): (&State, &State),
+    weight: &[[f64; 3]],
+    dt: f64,
+) -> Result<BendingInterface<PanelEquations>, Error> {
+    let amid = dynamics.residual(&amid(now, dynamics.end_weight(), dt), weight);
+    let inertia = dynamics.effective_inertia(then, dt);
+    let residual = dynamics.residual(then, weight);
+    let alone = [inertia.clone().solve(&residual)?, inertia.clone().solve(&amid)?];
+    Ok(BendingInterface {
+        equations: PanelEquations { influences, inertia },
+        predicted: then.acceleration.as_flattened().to_vec(),
+        change: vec![0.0; 3 * then.acceleration.len()],
+        residual: residual.as_flattened().to_vec(),
+        alone: alone.map(|alone| alone.as_flattened().to_vec()),
+        begun,
+        scale: lengths(dynamics).iter().flat_map(|length| [1.0, 1.0, *length]).collect(),
+    })
+}
+
+/// Values of the nodes in a row.
+fn of_nodes(values: &[f64]) -> &[[f64; 3]] {
+    values.as_chunks().0
+}
+
+impl StepEquations for PanelEquations {
+    fn add_load(&self, particle: usize, force: [f64; 2], loads: &mut [f64]) {
+        self.influences[particle].add_load(force, loads.as_chunks_mut().0);
     }
 
-    /// CO14: forces on the particles, as loads of the nodes.
-    fn loads(&self, forces: impl Iterator<Item = [f64; 2]>) -> Field {
-        let mut loads = vec![[0.0; 3]; self.predicted.len()];
-        for (influence, force) in self.influences.iter().zip(forces) {
-            influence.add_load(force, &mut loads);
-        }
-        loads
+    fn of_particle(&self, particle: usize, accelerations: &[f64]) -> [f64; 2] {
+        self.influences[particle].of(of_nodes(accelerations))
     }
 
-    /// CO18: the inertia with the water that accelerates with the particles: blocks −Hᵀ push armᵀ H.
-    fn with_water(&self, touches: &[ParticleLoad]) -> EffectiveInertia {
+    fn solve(&self, loads: &[f64]) -> Option<Vec<f64>> {
+        self.inertia.clone().solve(of_nodes(loads)).ok().map(|found| found.as_flattened().to_vec())
+    }
+
+    /// Blocks −Hᵀ push armᵀ H.
+    fn solve_with_water(&self, touches: &[ParticleLoad], loads: Vec<f64>) -> Option<Vec<f64>> {
         let mut inertia = self.inertia.clone();
         for (influence, touch) in self.influences.iter().zip(touches).filter(|(_, t)| t.arm != [0.0; 2]) {
             let width = 3 * influence.count;
@@ -82,20 +66,7 @@ impl FlexibleInterface {
             let block: Vec<f64> = entries.map(|(i, j)| -by(touch.push, i) * by(touch.arm, j)).collect();
             inertia.add(&influence.nodes[..influence.count], &block);
         }
-        inertia
-    }
-
-    /// CO18, CO24: residual of the accelerations under forces on the particles, without those of the structure's own forces.
-    fn residual_under(&self, fx: &[f64], fy: &[f64], alone: &[[f64; 3]]) -> InterfaceResidual {
-        let loads = self.loads(fx.iter().zip(fy).map(|(x, y)| [*x, *y]));
-        let caused = self.inertia.clone().solve(&loads).unwrap_or_else(|_| self.change.clone());
-        let each = caused.iter().zip(alone).zip(&self.change);
-        let residual: Field = each.map(|((c, a), x)| [0, 1, 2].map(|k| c[k] + a[k] - x[k])).collect();
-        InterfaceResidual { residual: self.scaled(&residual), driving: self.scaled(&caused) }
-    }
-
-    fn scaled(&self, field: &[[f64; 3]]) -> Vec<f64> {
-        field.iter().zip(&self.scale).flat_map(|(a, scale)| [a[0], a[1], scale * a[2]]).collect()
+        inertia.solve(of_nodes(&loads)).ok().map(|found| found.as_flattened().to_vec())
     }
 }
 
@@ -103,7 +74,7 @@ impl FlexibleInterface {
 fn amid(now: &State, theta: f64, dt: f64) -> State {
     let (part, State { displacement, velocity, acceleration, .. }) = (theta * dt, now);
     let each = velocity.iter().zip(acceleration);
-    let on: Field = each.map(|(v, a)| [0, 1, 2].map(|k| v[k] + part * a[k])).collect();
+    let on: Vec<[f64; 3]> = each.map(|(v, a)| [0, 1, 2].map(|k| v[k] + part * a[k])).collect();
     let moved = displacement.iter().zip(&on).map(|(q, v)| [0, 1, 2].map(|k| q[k] + part * v[k])).collect();
     State { displacement: moved, velocity: on, ..now.clone() }
 }
@@ -122,61 +93,18 @@ fn lengths(dynamics: &Dynamics) -> Vec<f64> {
     halves.iter().map(|of| if of.is_empty() { all.max(f64::MIN_POSITIVE) } else { mean(of) }).collect()
 }
 
-impl InterfaceDynamics for FlexibleInterface {
-    fn solve_acceleration(&mut self, encounter: &InterfaceLoad<'_>, change: &mut [[f64; 2]]) {
-        let mut loads = self.loads(encounter.particles.iter().map(|touch| touch.force));
-        loads
-            .as_flattened_mut()
-            .iter_mut()
-            .zip(self.residual.as_flattened())
-            .for_each(|(load, residual)| *load += residual);
-        // where these have no solution the structure's own step says so
-        if let Ok(found) = self.with_water(encounter.particles).solve(&loads) {
-            self.change = found;
-        }
-        for (change, influence) in change.iter_mut().zip(&self.influences) {
-            *change = influence.of(&self.change);
-        }
-    }
-
-    fn unknowns(&self) -> Vec<f64> {
-        let each = self.predicted.iter().zip(&self.change);
-        let now: Field = each.map(|(a, change)| [0, 1, 2].map(|k| a[k] + change[k])).collect();
-        self.scaled(&now)
-    }
-
-    fn residual(&self, forces: &WallForces<'_>) -> InterfaceResidual {
-        self.residual_under(forces.fx, forces.fy, &self.alone)
-    }
-
-    fn residual_in_mean(&self, forces: &WallForces<'_>) -> InterfaceResidual {
-        self.residual_under(forces.mean_fx, forces.mean_fy, &self.alone_in_mean)
-    }
-
-    fn velocities_at_start(&self, velocities: &mut [[f64; 2]]) {
-        velocities.copy_from_slice(&self.begun);
-    }
-
-    fn accelerate(&mut self, unknowns: &[f64], walls: WallsMut<'_>) {
-        let each = self.predicted.iter().zip(&self.scale).zip(unknowns.as_chunks::<3>().0);
-        self.change = each.map(|((a, scale), x)| [x[0] - a[0], x[1] - a[1], x[2] / scale - a[2]]).collect();
-        for (k, influence) in self.influences.iter().enumerate() {
-            let [x, y] = influence.of(&self.change);
-            walls.ax[k] += x;
-            walls.ay[k] += y;
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
+    use sph_core::walls::interface::{InterfaceDynamics, InterfaceLoad};
+    use sph_core::{WallForces, WallsMut};
     use structure_fe::{Beam, Damping, Integration, Material, Section, Supports};
 
     use super::*;
     use crate::bodies::bending::beam_surface::BeamSurface;
+    use crate::bodies::bending::surface_map::{Attachment, SurfaceMap};
 
     /// A panel on a free rigid body, bent and moving; particles on both, each with its force and what is behind it.
-    fn panel_on_a_body() -> (FlexibleInterface, Vec<ParticleLoad>) {
+    fn panel_on_a_body() -> (BendingInterface<PanelEquations>, Vec<ParticleLoad>) {
         let material = Material { youngs_modulus: 1e6, poissons_ratio: 0.3, density: 500.0 };
         let beam = Beam::straight([0.0; 2], [1.0, 0.0], 4, material, Section::strip(0.02)).expect("a beam");
         let (beam, frame) = beam.with_rigid_body([-0.3, 0.1], 2.0, 0.1).expect("a body");
@@ -195,7 +123,9 @@ mod tests {
         for _ in 0..20 {
             dynamics.step(&mut then, &weight, 0.01).expect("a step");
         }
-        let owner = FlexibleInterface::new("panel", &mut dynamics, (&map, &attachments), (&then, &then), &weight, 0.01);
+        let begun = attachments.iter().map(|a| map.velocity(a, &then.displacement, &then.velocity)).collect();
+        let influences = attachments.iter().map(|a| map.influence(a, &then.displacement)).collect();
+        let owner = interface_of(&mut dynamics, (influences, begun), (&then, &then), &weight, 0.01);
         let touch = |k: usize| {
             let x = k as f64;
             let (force, push) = ([3.0 * x.sin(), 20.0 + 5.0 * x.cos()], [0.3 * x.cos(), 40.0 + 3.0 * x.sin()]);
@@ -209,7 +139,7 @@ mod tests {
     fn accelerations_and_forces_fit() {
         let (mut owner, touches) = panel_on_a_body();
         let none = vec![0.0; touches.len()];
-        let residual = |owner: &FlexibleInterface, change: &[[f64; 2]]| {
+        let residual = |owner: &BendingInterface<PanelEquations>, change: &[[f64; 2]]| {
             let felt = |k: usize, axis: usize| {
                 let ParticleLoad { force, push, arm, .. } = touches[k];
                 force[axis] + push[axis] * (arm[0] * change[k][0] + arm[1] * change[k][1])

@@ -6,5 +6,4 @@ pub mod model;
 pub mod panel;
 pub mod panel_modes;
 pub mod panel_state;
-pub(crate) mod state;
 pub mod wet_period;

@@ -1,17 +1,15 @@
 //! From what a flexible body is made of to its finite elements.
 
-use structure_fe::{Beam, Damping, Dof, Dynamics, Integration, State, SupportMotion, Supports};
+use structure_fe::{Beam, Damping, Dof, Dynamics, Error, Integration, State, SupportMotion, Supports};
 
 use crate::bodies::bending::beam_surface::BeamSurface;
 use crate::bodies::bending::bending_surface::BendingSurface;
 use crate::bodies::bending::frame::Frame;
-use crate::bodies::bending::surface_layout::{Span, SurfaceLayout};
+use crate::bodies::bending::surface_layout::{Span, SurfaceLayout, line_of};
 use crate::bodies::bending::surface_map::SurfaceMap;
-use crate::bodies::error::BodyError;
 use crate::bodies::flexible::panel::{Panel, PanelSpec};
 use crate::bodies::rigid_motion::RigidMotion;
 use crate::geometry::outline::Outline;
-use crate::geometry::polyline::Polyline;
 use crate::geometry::vector::rotate;
 
 /// A flexible body to be built; everything per metre of span, in the body's own frame.
@@ -40,23 +38,21 @@ pub struct FlexibleSpec {
 /// periods.
 const SPECTRAL_RADIUS: f64 = 0.8;
 
-/// The finite elements of a flexible body, and what lies where on them.
-pub(crate) struct Model {
-    pub dynamics: Dynamics,
-    pub surface: BendingSurface,
-    pub panels: Vec<Panel>,
-    /// Structure that is simulated, over the whole [-].
-    pub share: f64,
+/// The finite elements of a flexible body.
+pub struct FlexibleModel {
+    pub(crate) dynamics: Dynamics,
+    pub(crate) panels: Vec<Panel>,
+    /// What of the frame is free.
+    pub(crate) free: [bool; 3],
+    pub(crate) gravity: [f64; 2],
+    /// Load of gravity on the nodes [N/m, N/m, N].
+    pub(crate) weight: Vec<[f64; 3]>,
 }
 
-impl Model {
-    /// Assemble the elements.
-    pub fn new(spec: &FlexibleSpec) -> Result<(Model, State), BodyError> {
-        let wrong = |error: structure_fe::Error| BodyError::structure(&spec.name, &error);
-        let line = match &spec.middle {
-            Some(middle) => Polyline::open(middle.clone()),
-            None => Polyline::closed(&spec.outline.loops()[0]),
-        };
+impl FlexibleModel {
+    /// Assemble the elements and what lies where on them, at the start under their own weight.
+    pub(crate) fn new(spec: &FlexibleSpec) -> Result<(FlexibleModel, BendingSurface, State), Error> {
+        let line = line_of(&spec.outline, spec.middle.as_deref());
         let (mut nodes, mut elements, mut supports) = (Vec::new(), Vec::new(), Supports::default());
         let panels: Vec<Panel> =
             spec.panels.iter().map(|panel| Panel::along(&line, panel, &mut nodes, &mut elements)).collect();
@@ -64,16 +60,13 @@ impl Model {
         for node in &mut nodes {
             *node = spec.start.point(*node);
         }
-        let mut beam = Beam::new(nodes.clone(), elements).map_err(wrong)?;
+        let mut beam = Beam::new(nodes.clone(), elements)?;
         for panel in &panels {
-            beam = panel.formulate(beam).map_err(wrong)?;
+            beam = panel.formulate(beam)?;
         }
         let share = if spec.half { 0.5 } else { 1.0 };
-        let (at, mass, inertia, free) = match &spec.frame {
-            Frame::Given(_) => ([0.0; 2], 0.0, 0.0, [false; 3]),
-            Frame::Free { mass, inertia, center_of_mass, free } => (*center_of_mass, *mass, *inertia, *free),
-        };
-        let (beam, frame) = beam.with_rigid_body(spec.start.point(at), share * mass, share * inertia).map_err(wrong)?;
+        let (mass, inertia, at, free) = spec.frame.rigid_part();
+        let (beam, frame) = beam.with_rigid_body(spec.start.point(at), share * mass, share * inertia)?;
         for (dof, free) in [Dof::U, Dof::W, Dof::Theta].into_iter().zip(free) {
             if !free {
                 supports.fix(frame, dof);
@@ -83,7 +76,7 @@ impl Model {
             panel.hold(frame, &beam, &mut supports);
         }
         let rule = Integration::Trapezoidal { spectral_radius: SPECTRAL_RADIUS };
-        let dynamics = Dynamics::new(beam, supports, rule, spec.damping).map_err(wrong)?;
+        let dynamics = Dynamics::new(beam, supports, rule, spec.damping)?;
         let mut state = dynamics.at_rest();
         let RigidMotion { position, velocity, angular_velocity, .. } = spec.start;
         dynamics.set_rigid_velocity(&mut state, position, velocity, angular_velocity);
@@ -93,23 +86,18 @@ impl Model {
         let span = |panel: &Panel| Span { reach: panel.reach, elements: panel.elements.clone() };
         let layout = SurfaceLayout { map, line, spans: panels.iter().map(span).collect(), start: spec.start };
         let surface = BendingSurface::new(layout, spec.outline.clone(), spec.half);
-        Ok((Model { dynamics, surface, panels, share }, state))
-    }
-
-    /// Update the position of the frame's node: it moves when a panel breaks off a free frame.
-    pub fn update_reference(&mut self) {
-        let map = &mut self.surface.layout.map;
-        map.reference = self.dynamics.beam().nodes()[map.frame];
-    }
-
-    /// Motion of the body's frame, about its origin.
-    pub fn frame(&self, state: &State) -> RigidMotion {
-        self.surface.layout.frame(&state.displacement, &state.velocity, &state.acceleration)
+        let (weight, gravity) = (dynamics.gravity_load(spec.gravity), spec.gravity);
+        let mut model = FlexibleModel { dynamics, panels, free, gravity, weight };
+        if let Some(start) = spec.frame.prescribed_start() {
+            model.prescribe_node(&surface.layout, &start)?;
+        }
+        model.dynamics.equilibrate(&mut state, &model.weight)?;
+        Ok((model, surface, state))
     }
 
     /// Motion of the frame's node where the body's frame moves as prescribed: displacement, velocity, acceleration.
-    pub fn node_of(&self, prescribed: &RigidMotion) -> [[f64; 3]; 3] {
-        let SurfaceLayout { map: SurfaceMap { reference, .. }, start, .. } = &self.surface.layout;
+    fn node_of(layout: &SurfaceLayout, prescribed: &RigidMotion) -> [[f64; 3]; 3] {
+        let SurfaceLayout { map: SurfaceMap { reference, .. }, start, .. } = layout;
         let r = [0, 1].map(|k| reference[k] - start.position[k]);
         let lever_arm = rotate(r, -start.angle);
         let ([x, y], v, a) = (
@@ -125,12 +113,12 @@ impl Model {
     }
 
     /// Prescribe the motion of the frame's node.
-    pub fn prescribe(&mut self, prescribed: &RigidMotion) -> Result<(), structure_fe::Error> {
-        let [displacement, velocity, acceleration] = self.node_of(prescribed);
+    pub(crate) fn prescribe_node(&mut self, layout: &SurfaceLayout, prescribed: &RigidMotion) -> Result<(), Error> {
+        let [displacement, velocity, acceleration] = FlexibleModel::node_of(layout, prescribed);
         for (k, dof) in [Dof::U, Dof::W, Dof::Theta].into_iter().enumerate() {
             let motion =
                 SupportMotion { displacement: displacement[k], velocity: velocity[k], acceleration: acceleration[k] };
-            self.dynamics.prescribe(self.surface.layout.map.frame, dof, motion)?;
+            self.dynamics.prescribe(layout.map.frame, dof, motion)?;
         }
         Ok(())
     }

@@ -2,9 +2,10 @@
 
 use structure_fe::{Dynamics, EndEnvelope, Envelope, PlasticStrains, Range, SectionForces, State};
 
+use crate::bodies::bending::frame::in_frame;
+use crate::bodies::bending::state::BendingState;
 use crate::bodies::bending::surface_map::SurfaceMap;
 use crate::bodies::flexible::panel::Panel;
-use crate::bodies::flexible::state::FlexibleState;
 use crate::bodies::panel_state::{PanelState, Station, Watched, Worst};
 use crate::bodies::rigid_motion::RigidMotion;
 use crate::geometry::vector::rotate;
@@ -13,10 +14,10 @@ use crate::geometry::vector::rotate;
 pub(crate) fn state_of(
     panel: &Panel,
     (dynamics, map): (&Dynamics, &SurfaceMap),
-    state: &FlexibleState,
+    state: &BendingState<State, Envelope>,
     frame: &RigidMotion,
 ) -> PanelState {
-    let FlexibleState { nodes, envelope, .. } = state;
+    let BendingState { motion: nodes, extremes: envelope, .. } = state;
     let (sections, fibres) = (dynamics.section_forces(nodes), dynamics.fibres(nodes));
     let still = vec![[0.0; 3]; nodes.displacement.len()];
     let watched = panel.spec.watch.iter().map(|&share| {
@@ -48,12 +49,6 @@ pub(crate) fn state_of(
         rupture_strain: panel.spec.rupture_strain,
         ruptures: nodes.ruptures.iter().filter(|rupture| panel.nodes.contains(&rupture.node)).copied().collect(),
     }
-}
-
-/// A load in the axes of a frame at an angle.
-fn in_frame([x, y, moment]: &[f64; 3], angle: f64) -> [f64; 3] {
-    let [x, y] = rotate([*x, *y], -angle);
-    [x, y, *moment]
 }
 
 fn worst(panel: &Panel, dynamics: &Dynamics, nodes: &State, envelope: &Envelope) -> Worst {

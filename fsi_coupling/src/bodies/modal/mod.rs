@@ -3,4 +3,3 @@
 pub mod body;
 pub mod interface;
 pub mod spec;
-pub mod state;

@@ -2,18 +2,17 @@
 
 use std::sync::Arc;
 
+use structure_fe::Error;
 use structure_fe::modal::{Frame as ModalFrame, ModalStructure};
 
 use crate::bodies::bending::beam_surface::BeamSurface;
 use crate::bodies::bending::bending_surface::BendingSurface;
 use crate::bodies::bending::frame::Frame;
-use crate::bodies::bending::surface_layout::{Span, SurfaceLayout};
+use crate::bodies::bending::surface_layout::{Span, SurfaceLayout, line_of};
 use crate::bodies::bending::surface_map::SurfaceMap;
 use crate::bodies::bending::surface_mode::SurfaceMode;
-use crate::bodies::error::BodyError;
 use crate::bodies::rigid_motion::RigidMotion;
 use crate::geometry::outline::Outline;
-use crate::geometry::polyline::Polyline;
 
 /// A body with modes, to be built; everything per metre of span, in the body's own frame.
 pub struct ModalSpec {
@@ -40,40 +39,31 @@ pub struct ModalSpec {
     pub half: bool,
 }
 
-/// The equations of a body with modes, and its surface.
-pub(crate) struct ModalModel {
+/// The equations of a body with modes.
+pub struct ModalModel {
     /// Shared with the interface of each step.
-    pub structure: Arc<ModalStructure>,
-    pub surface: BendingSurface,
+    pub(crate) structure: Arc<ModalStructure>,
     /// Places of the nodes at the start, the frame last: `[x, y, turn]` [m, m, rad].
-    pub rest: Vec<[f64; 3]>,
+    pub(crate) rest: Vec<[f64; 3]>,
     /// Stress of each mode at the nodes at unit amplitude [Pa/m].
-    pub stress: Vec<Vec<f64>>,
-    /// Structure that is simulated, over the whole [-].
-    pub share: f64,
+    pub(crate) stress: Vec<Vec<f64>>,
+    /// Gravity [m/s²].
+    pub(crate) gravity: [f64; 2],
+    /// Position, velocity and acceleration of a prescribed frame at the end of the next step.
+    pub(crate) prescribed: Option<[[f64; 3]; 3]>,
 }
 
 impl ModalModel {
-    pub fn new(spec: &ModalSpec) -> Result<ModalModel, BodyError> {
+    pub(crate) fn new(spec: &ModalSpec) -> Result<(ModalModel, BendingSurface), Error> {
         let share = if spec.half { 0.5 } else { 1.0 };
-        let frame = match &spec.frame {
-            Frame::Given(_) => ModalFrame { mass: 0.0, inertia: 0.0, center_of_mass: [0.0; 2], held: [true; 3] },
-            Frame::Free { mass, inertia, center_of_mass, free } => ModalFrame {
-                mass: share * mass,
-                inertia: share * inertia,
-                center_of_mass: *center_of_mass,
-                held: free.map(|free| !free),
-            },
-        };
+        let (mass, inertia, center_of_mass, free) = spec.frame.rigid_part();
+        let held = free.map(|free| !free);
+        let frame = ModalFrame { mass: share * mass, inertia: share * inertia, center_of_mass, held };
         let modes = spec.modes.iter().map(|mode| mode.mode.clone()).collect();
-        let structure = ModalStructure::new(frame, spec.nodes.clone(), spec.masses.clone(), modes)
-            .map_err(|error| BodyError::structure(&spec.name, &error))?;
+        let structure = ModalStructure::new(frame, spec.nodes.clone(), spec.masses.clone(), modes)?;
         let RigidMotion { position, angle, .. } = spec.start;
         let rest = structure.places(&structure.at_rest(position, angle));
-        let line = match &spec.middle {
-            Some(middle) => Polyline::open(middle.clone()),
-            None => Polyline::closed(&spec.outline.loops()[0]),
-        };
+        let line = line_of(&spec.outline, spec.middle.as_deref());
         let last = spec.nodes.len() - 1;
         let reach = [spec.nodes[0], spec.nodes[last]].map(|end| line.nearest(end).0);
         let beams =
@@ -82,6 +72,7 @@ impl ModalModel {
         let layout = SurfaceLayout { map, line, spans: vec![Span { reach, elements: 0..last }], start: spec.start };
         let surface = BendingSurface::new(layout, spec.outline.clone(), spec.half);
         let stress = spec.modes.iter().map(|mode| mode.stress.clone()).collect();
-        Ok(ModalModel { structure: Arc::new(structure), surface, rest, stress, share })
+        let structure = Arc::new(structure);
+        Ok((ModalModel { structure, rest, stress, gravity: spec.gravity, prescribed: None }, surface))
     }
 }

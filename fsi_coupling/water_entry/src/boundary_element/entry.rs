@@ -16,7 +16,7 @@ pub(super) const LATEST: f64 = 0.5;
 /// And at the latest at this draught over V²/g: the similar flow, from which it begins, has no gravity.
 pub(super) const LATEST_UNDER_GRAVITY: f64 = 0.02;
 /// Steps before the flow begins.
-pub(super) const STEPS_BEFORE: usize = 64;
+const STEPS_BEFORE: usize = 64;
 /// Share of the speed at contact below which the wedge counts as stopped.
 pub(super) const STOPPED: f64 = 1e-3;
 /// The same for a flow that ended.
@@ -69,19 +69,23 @@ impl FlowEntry<'_> {
     /// As [`EntryFlow::new`]; a flow that cannot be followed for two steps.
     pub fn solve(&self, times: &[f64]) -> Result<(Vec<Instant>, FlowHistory, Option<OutOfRange>), OutOfRange> {
         let end = times.last().copied().unwrap_or(0.0);
-        let falls = matches!(self.motion, SectionMotion::Free(_));
-        let g = if falls { self.gravity } else { 0.0 };
-        let in_air = if self.draught < 0.0 { fall_time(-self.draught, self.speed, g) } else { 0.0 };
-        let at_contact = self.speed + g * in_air;
+        let start = [self.draught, self.speed];
+        let [g, in_air, at_contact] = contact(self.motion, start, self.gravity);
         let begin = self.begin(at_contact, end - in_air, g);
         let mut flow = EntryFlow::new(self.section, begin, at_contact, self.gravity)?;
         let calm = EntryFlow { gravity: 0.0, ..flow.clone() };
         let before = Before::new(self.section, &calm, self.gravity)?;
 
-        let (mut steps, mut time) = (self.in_air(in_air, g), in_air);
+        let nothing = FlowLoad { force: 0.0, added_mass: 0.0, pressure: vec![[0.0; 3]; 2] };
+        let mut steps: Vec<Step> =
+            fall(start, in_air, g).map(|state| self.step_of(state, &nothing, [0.0; 2])).collect();
+        let mut time = in_air;
         if self.draught <= 0.0 {
             let speed;
-            [time, speed] = self.until_the_flow(&mut steps, &before, begin, [in_air, at_contact]);
+            let (load, rate) = (|h: f64, v: f64| before.load(h, v), |load: &FlowLoad| self.rate(load));
+            let keep =
+                |state: [f64; 4], load: &FlowLoad| steps.push(self.step_of(state, load, [load.half_breadth(); 2]));
+            [time, speed] = until_the_flow(begin, [in_air, at_contact], load, rate, keep);
             flow = flow.at_speed(speed);
         }
         steps.extend(self.followed(flow, &before, time, end, STOPPED * at_contact));
@@ -141,52 +145,7 @@ impl FlowEntry<'_> {
 
     /// The downward acceleration under a load [m/s²].
     fn rate(&self, load: &FlowLoad) -> f64 {
-        match self.motion {
-            SectionMotion::Constant => 0.0,
-            SectionMotion::Free(mass) => {
-                (mass * self.gravity - self.density * load.force) / (mass + self.density * load.added_mass)
-            }
-        }
-    }
-
-    fn in_air(&self, contact: f64, g: f64) -> Vec<Step> {
-        let at = |time: f64| Step {
-            now: Instant {
-                time,
-                draught: self.draught + self.speed * time + 0.5 * g * time * time,
-                speed: self.speed + g * time,
-                rate: g,
-                force: 0.0,
-                wetted: 0.0,
-            },
-            face: 0.0,
-            pressure: vec![[0.0, 0.0]; 2],
-        };
-        let count = if contact > 0.0 { STEPS_BEFORE } else { 0 };
-        (0..count).map(|k| at(contact * k as f64 / count as f64)).collect()
-    }
-
-    /// From contact at [time, speed] to the draught `begin` under the load before the flow: midpoint rule in the draught. Returns time and
-    /// speed there.
-    fn until_the_flow(
-        &self,
-        steps: &mut Vec<Step>,
-        before: &Before,
-        begin: f64,
-        [mut time, mut speed]: [f64; 2],
-    ) -> [f64; 2] {
-        let dh = begin / STEPS_BEFORE as f64;
-        for k in 0..STEPS_BEFORE {
-            let draught = dh * k as f64;
-            let now = before.load(draught, speed);
-            let rate = self.rate(&now);
-            steps.push(self.step_of([time, draught, speed, rate], &now, [now.half_breadth(); 2]));
-            let half = speed + rate * 0.5 * dh / speed;
-            let rate = self.rate(&before.load(draught + 0.5 * dh, half));
-            time += dh / half;
-            speed += rate * dh / half;
-        }
-        [time, speed]
+        rate(self.motion, self.gravity, self.density, [load.force, load.added_mass])
     }
 
     /// The steps of the flow from `time` to `end` [s].
@@ -233,9 +192,50 @@ pub(super) fn begin(motion: SectionMotion, gravity: f64) -> f64 {
     if is_similar { BEGIN_OF_SIMILAR } else { BEGIN }
 }
 
-/// Time [s] in which a body at a downward speed [m/s] falls by `height` [m].
-pub(super) fn fall_time(height: f64, speed: f64, g: f64) -> f64 {
-    2.0 * height / (speed + (speed * speed + 2.0 * g * height).sqrt())
+/// The acceleration in air [m/s²] of a body at a draught [m] and a downward speed [m/s], the time of its contact [s], and its speed then.
+pub(super) fn contact(motion: SectionMotion, [draught, speed]: [f64; 2], gravity: f64) -> [f64; 3] {
+    let g = if matches!(motion, SectionMotion::Free(_)) { gravity } else { 0.0 };
+    let height = -draught;
+    let time = if height > 0.0 { 2.0 * height / (speed + (speed * speed + 2.0 * g * height).sqrt()) } else { 0.0 };
+    [g, time, speed + g * time]
+}
+
+/// Time, draught, downward speed and acceleration in air until `contact` [s].
+pub(super) fn fall([draught, speed]: [f64; 2], contact: f64, g: f64) -> impl Iterator<Item = [f64; 4]> {
+    let count = if contact > 0.0 { STEPS_BEFORE } else { 0 };
+    let times = (0..count).map(move |k| contact * k as f64 / count as f64);
+    times.map(move |time| [time, draught + speed * time + 0.5 * g * time * time, speed + g * time, g])
+}
+
+/// The downward acceleration [m/s²] under an upward force [m³/s²] and an added mass [m²] over the density.
+pub(super) fn rate(motion: SectionMotion, gravity: f64, density: f64, [force, added_mass]: [f64; 2]) -> f64 {
+    match motion {
+        SectionMotion::Constant => 0.0,
+        SectionMotion::Free(mass) => (mass * gravity - density * force) / (mass + density * added_mass),
+    }
+}
+
+/// From contact at [time, speed] to the draught `begin` [m] under the `load` at a draught and a speed: midpoint rule in the draught. `keep` takes
+/// time, draught, speed and acceleration with the load. Returns time and speed at the end.
+pub(super) fn until_the_flow<L>(
+    begin: f64,
+    [mut time, mut speed]: [f64; 2],
+    load: impl Fn(f64, f64) -> L,
+    rate: impl Fn(&L) -> f64,
+    mut keep: impl FnMut([f64; 4], &L),
+) -> [f64; 2] {
+    let dh = begin / STEPS_BEFORE as f64;
+    for k in 0..STEPS_BEFORE {
+        let draught = dh * k as f64;
+        let now = load(draught, speed);
+        let at_start = rate(&now);
+        keep([time, draught, speed, at_start], &now);
+        let half = speed + at_start * 0.5 * dh / speed;
+        let in_middle = rate(&load(draught + 0.5 * dh, half));
+        time += dh / half;
+        speed += in_middle * dh / half;
+    }
+    [time, speed]
 }
 
 impl FlowHistory {

@@ -32,7 +32,7 @@ use elements::{Sizes, arc_length};
 use entry::{BEGIN, LATEST};
 use face::Face;
 use lower_side::LowerSide;
-use solution::Solution;
+use solution::{Solution, Solved, SymmetricSolution};
 use spline::Spline;
 use surface::FreeSurface;
 
@@ -170,14 +170,18 @@ impl EntryFlow {
     }
 
     /// Let the flow leave the chine or a round bottom where it does so at a downward acceleration [m/s²]; true if it did.
-    fn separate(&mut self, now: &Solution, rate: f64) -> bool {
-        if let Some(underside) = self.separated(now) {
-            self.underside = Some(underside);
+    fn separate(&mut self, Solved { sides: [now], load, .. }: &SymmetricSolution, rate: f64) -> bool {
+        if self.leaves_chine(now) {
             return true;
         }
-        let Some(along) = self.detached(now, rate) else { return false };
+        let Some(along) = self.detached(now, load, rate) else { return false };
         self.detach(now, along);
         true
+    }
+
+    /// EN24: true where the flow has left the chine.
+    fn leaves_chine(&mut self, now: &Solution) -> bool {
+        self.separated(now).map(|underside| self.underside = Some(underside)).is_some()
     }
 
     /// EN24: where the jet's end has passed a dry chine, what lies beyond it on the face's plane is a free surface from now on.
@@ -198,9 +202,8 @@ impl EntryFlow {
     }
 
     /// EN24: where the flow leaves a round bottom, as a distance from the keel [m]: beyond there the pressure is below that of the air.
-    fn detached(&self, now: &Solution, rate: f64) -> Option<f64> {
-        let pressure = &now.load.pressure;
-        let from = pressure.iter().skip(1).position(|[_, steady, added]| steady + added * rate > 0.0)? + 1;
+    fn detached(&self, now: &Solution, load: &FlowLoad, rate: f64) -> Option<f64> {
+        let from = load.pressure.iter().skip(1).position(|[_, steady, added]| steady + added * rate > 0.0)? + 1;
         let (along, size) = (now.along[from], self.lower_side().finest(self.surface.end()));
         let below = now.along[0] - along;
         (self.face.is_round(along) && below > DETACHED * size).then_some(along)

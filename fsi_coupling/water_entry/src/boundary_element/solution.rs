@@ -9,7 +9,7 @@ use super::cauchy::{Complex, Contour, Known};
 use super::elements::{GROWTH, graded, grown};
 use super::spline::Spline;
 use super::state::EntryFlow;
-use super::surface::SurfaceFlow;
+use super::surface::{FreeSurface, SurfaceFlow};
 
 /// The largest size of elements on a face, over the wetted length.
 const LARGEST: f64 = 0.06;
@@ -30,8 +30,18 @@ pub(super) struct Solution {
     pub contact: usize,
     /// Distances of the face's nodes from the keel along it [m].
     pub along: Vec<f64>,
-    pub load: FlowLoad,
 }
+
+/// The flow on the sides of a body, and its load.
+pub(super) struct Solved<const N: usize, L> {
+    pub sides: [Solution; N],
+    pub load: L,
+    /// Upward force at constant speed over the density [m³/s²].
+    pub force: f64,
+}
+
+/// The flow about a symmetric section.
+pub(super) type SymmetricSolution = Solved<1, FlowLoad>;
 
 /// The right half of the contour: upper surface, cut, underside, face down to the keel.
 pub(super) struct Nodes {
@@ -48,32 +58,30 @@ pub(super) struct Nodes {
 
 impl EntryFlow {
     /// EN21 for β and its time derivative, EN23.
-    pub(super) fn solve(&self) -> Solution {
-        let EntryFlow { face, surface, underside, gravity, .. } = self;
+    pub(super) fn solve(&self) -> SymmetricSolution {
         let speed = &self.keel_speed();
-        let Nodes { z: nodes, end, foot, contact, along } = self.contour();
-        let n = nodes.len();
+        let of = self.contour();
+        let Nodes { z: nodes, end, foot, contact, along } = &of;
+        let (n, end, foot, contact) = (nodes.len(), *end, *foot, *contact);
         let known = |k: usize| match k.cmp(&contact) {
             Ordering::Less => Known::Potential,
             Ordering::Equal => Known::Both,
             Ordering::Greater => Known::StreamFunction,
         };
-        let contour = Contour::new(&nodes, (0..n).map(known).collect());
+        let contour = Contour::new(nodes, (0..n).map(known).collect());
 
         // velocity: φ on the surfaces and along the cut, ψ = V x on the body
         let psi = (0..n).map(|k| if k < contact { 0.0 } else { speed * nodes[k].re }).collect();
-        let mut beta = Complex { phi: self.potential(&nodes, end, foot), psi };
+        let mut beta = Complex { phi: self.potential(nodes, end, foot), psi };
         contour.solve(&mut beta);
-        let above = surface.velocity(&beta.psi[..=end]);
-        let on_body = self.body_velocity(&along, &beta.phi[contact..]);
-        let mut below = underside.as_ref().map_or_else(Vec::new, |s| s.velocity(&beta.psi[foot..=contact]));
-        if let Some(at_chine) = below.last_mut() {
-            let slope = slope_at_edge(&along, &beta.phi[contact..]);
-            *at_chine = self.on_face(face.length(), slope); // the water leaves the chine as it comes along the face
+        let [above, below] = self.surface_velocities(&of, &beta);
+        let mut on_body = self.face_velocities(along, &beta.phi[contact..]);
+        if let Some(keel) = on_body.last_mut() {
+            *keel = c64::new(0.0, -speed); // the body's
         }
 
         // φ_t: p = 0 on the surfaces and in the cut; ψ_t of the body's motion
-        let phi_t = |velocity: &c64, z: &c64| -0.5 * velocity.norm_sqr() - gravity * z.im;
+        let phi_t = |velocity: &c64, z: &c64| self.rate_on_surface(velocity, z);
         let rate_at = |k: usize| match k {
             _ if k <= end => phi_t(&above[k], &nodes[k]),
             _ if k > contact => 0.0,
@@ -88,24 +96,42 @@ impl EntryFlow {
         contour.solve(&mut per_acceleration);
 
         let pressure_at = |k: usize| {
-            let steady = rate.phi[k] + 0.5 * on_body[k - contact].norm_sqr() + gravity * nodes[k].im;
+            let steady = rate.phi[k] + 0.5 * on_body[k - contact].norm_sqr() + self.gravity * nodes[k].im;
             [nodes[k].re, -steady * self.speed / speed, -per_acceleration.phi[k]]
         };
         let mut pressure: Vec<[f64; 3]> = (contact..n).map(pressure_at).collect();
-        self.follow_keel_law(&along, &mut pressure);
-        // a node that moves with v: dφ/dt = φ_t + v·∇φ; the chine goes down with the body
-        let with_water = |v: &c64, z: &c64| v.norm_sqr() + phi_t(v, z);
-        let mut rate_below: Vec<f64> = below.iter().zip(&nodes[foot..]).map(|(v, z)| with_water(v, z)).collect();
+        self.follow_keel_law(along, &mut pressure);
+        let load = FlowLoad::of(pressure).with_dry_end();
+        Solved { force: load.force, load, sides: [self.solution(of, beta, [above, below])] }
+    }
+
+    /// φ_t where p = 0 [m²/s²].
+    fn rate_on_surface(&self, velocity: &c64, z: &c64) -> f64 {
+        -0.5 * velocity.norm_sqr() - self.gravity * z.im
+    }
+
+    /// Velocities u + iv [m/s] of the upper surface and of the one that left the chine.
+    pub(super) fn surface_velocities(&self, of: &Nodes, beta: &Complex) -> [Vec<c64>; 2] {
+        let below = |surface: &FreeSurface| surface.velocity(&beta.psi[of.foot..=of.contact]);
+        let mut below = self.underside.as_ref().map_or_else(Vec::new, below);
+        if let Some(at_chine) = below.last_mut() {
+            // the water leaves the chine as it comes along the face
+            *at_chine = self.on_face(self.face.length(), slope_at_edge(&of.along, &beta.phi[of.contact..]));
+        }
+        [self.surface.velocity(&beta.psi[..=of.end]), below]
+    }
+
+    /// The solution of a side with velocities of its surfaces. A node that moves with v: dφ/dt = φ_t + v·∇φ; the chine goes down with the body.
+    pub(super) fn solution(&self, of: Nodes, beta: Complex, [above, below]: [Vec<c64>; 2]) -> Solution {
+        let Nodes { z: nodes, foot, contact, along, .. } = of;
+        let with_water = |(v, z): (&c64, &c64)| v.norm_sqr() + self.rate_on_surface(v, z);
+        let mut rate_below: Vec<f64> = below.iter().zip(&nodes[foot..]).map(with_water).collect();
         if let (Some(at_chine), Some(v)) = (rate_below.last_mut(), below.last()) {
-            *at_chine = phi_t(v, &face.edge()) - speed * v.im;
+            *at_chine = self.rate_on_surface(v, &self.face.edge()) - self.keel_speed() * v.im;
         }
         Solution {
-            above: SurfaceFlow {
-                rate: above.iter().zip(&nodes).map(|(v, z)| with_water(v, z)).collect(),
-                velocity: above,
-            },
+            above: SurfaceFlow { rate: above.iter().zip(&nodes).map(with_water).collect(), velocity: above },
             below: SurfaceFlow { velocity: below, rate: rate_below },
-            load: FlowLoad::of(pressure).with_dry_end(),
             beta,
             nodes,
             contact,
@@ -179,26 +205,22 @@ impl EntryFlow {
         Nodes { z, end: last, foot, contact, along }
     }
 
-    /// Velocity u + iv of the water on the face at distances `along` it [m/s]; at the keel it is the body's.
-    fn body_velocity(&self, along: &[f64], phi: &[f64]) -> Vec<c64> {
+    /// Velocities u + iv of the water on the face at distances `along` it [m/s].
+    pub(super) fn face_velocities(&self, along: &[f64], phi: &[f64]) -> Vec<c64> {
         let from_end: Vec<f64> = along.iter().map(|s| along[0] - s).collect();
         let slopes = Spline::new(&from_end, phi.iter().copied()).slopes();
-        let mut velocity: Vec<c64> = along.iter().zip(slopes).map(|(s, slope)| self.on_face(*s, slope)).collect();
-        if let Some(keel) = velocity.last_mut() {
-            *keel = c64::new(0.0, -self.keel_speed());
-        }
-        velocity
+        along.iter().zip(slopes).map(|(s, slope)| self.on_face(*s, slope)).collect()
     }
 
     /// Velocity u + iv [m/s] at a place `along` the face where φ grows by `slope` [m/s] towards the keel.
-    pub(super) fn on_face(&self, along: f64, slope: f64) -> c64 {
+    fn on_face(&self, along: f64, slope: f64) -> c64 {
         let down = -self.face.place(along).tangent;
         (c64::new(slope, self.keel_speed() * down.re) / down).conj()
     }
 }
 
 /// EN24: φ_s at an edge at which the flow separates, s the distance from it: U of φ = φ₀ + U s + A s^{3/2} through the first three nodes.
-pub(super) fn slope_at_edge(along: &[f64], phi: &[f64]) -> f64 {
+fn slope_at_edge(along: &[f64], phi: &[f64]) -> f64 {
     let at = |k: usize| {
         let s = along[0] - along[k];
         [s.sqrt(), (phi[k] - phi[0]) / s] // the second is U + A √s

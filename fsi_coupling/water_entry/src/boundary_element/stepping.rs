@@ -1,8 +1,10 @@
 //! A step in time: Adams and Bashforth's rule of third order, one solution per step; the midpoint rule where there is no past (THEORY EN22).
 
+use std::array::{from_fn, from_mut};
+
 use faer::c64;
 
-use super::solution::{FlowLoad, Solution};
+use super::solution::{FlowLoad, Solution, Solved, SymmetricSolution};
 use super::state::{EntryFlow, Past};
 use super::surface::{FreeSurface, SurfaceFlow};
 use super::{DRAUGHT_GROWTH, FlowEnded};
@@ -25,47 +27,67 @@ fn weights(dt: f64, [a, b]: [f64; 2]) -> [f64; INSTANTS] {
     [one + ((a + b) * two + three) / (a * b), -(b * two + three) / (a * (b - a)), (a * two + three) / (b * (b - a))]
 }
 
+/// One step of the flow on the sides of a body. `separate` lets the flow leave the body, under a downward acceleration [m/s²], and says whether
+/// it did; `acceleration` gives that acceleration under a load. Returns the step [s] and the load at its start.
+pub(super) fn step<const N: usize, L>(
+    sides: &mut [EntryFlow; N],
+    solve: impl Fn(&[EntryFlow; N]) -> Solved<N, L>,
+    separate: impl Fn(&mut [EntryFlow; N], &Solved<N, L>, f64) -> bool,
+    acceleration: impl Fn(&L) -> f64,
+) -> Result<(f64, L), FlowEnded> {
+    let mut start = solve(sides);
+    if separate(sides, &start, acceleration(&start.load)) {
+        sides.iter_mut().for_each(EntryFlow::clear_past);
+        start = solve(sides);
+    }
+    let ended = |speed: f64| FlowEnded { draught: sides[0].draught, speed };
+    let rate = acceleration(&start.load);
+    let longest = |of: fn(&EntryFlow, &Solution) -> f64| {
+        sides.iter().zip(&start.sides).map(|(side, now)| of(side, now)).fold(f64::INFINITY, f64::min)
+    };
+    let moved = |speed: f64, at: &Solved<N, L>, rate: f64, dt: f64| -> [EntryFlow; N] {
+        from_fn(|i| sides[i].moved(speed, &at.sides[i], rate, dt))
+    };
+    let (dt, end) = if sides.iter().all(EntryFlow::has_past) {
+        let dt = longest(EntryFlow::extrapolated_dt);
+        (dt, from_fn(|i| sides[i].extrapolated(&start.sides[i], rate, dt)))
+    } else {
+        let dt = longest(EntryFlow::stable_dt);
+        let half = moved(sides[0].speed, &start, rate, 0.5 * dt);
+        if !half.iter().all(EntryFlow::is_finite) {
+            return Err(ended(half[0].speed));
+        }
+        let middle = solve(&half);
+        (dt, moved(half[0].speed, &middle, acceleration(&middle.load), dt))
+    };
+    let is_finite = end.iter().all(EntryFlow::is_finite) && start.force.is_finite();
+    if !(is_finite && end[0].speed > 0.0) || sides[0].is_too_short(dt) {
+        return Err(ended(end[0].speed));
+    }
+    for ((side, now), end) in sides.iter_mut().zip(&start.sides).zip(end) {
+        *side = end.after(side, now, rate, dt).attached().redistributed();
+    }
+    Ok((dt, start.load))
+}
+
 impl EntryFlow {
     /// One step. `acceleration` gives the downward acceleration [m/s²] under a load. Returns the step [s] and the load at its start.
     ///
     /// # Errors
     /// A wedge that has stopped, or a flow that is no longer finite; the state before the step is kept.
     pub fn step(&mut self, acceleration: impl Fn(&FlowLoad) -> f64) -> Result<(f64, FlowLoad), FlowEnded> {
-        let mut start = self.solve();
-        if self.separate(&start, acceleration(&start.load)) {
-            self.clear_past();
-            start = self.solve();
-        }
-        let ended = |speed: f64| FlowEnded { draught: self.draught, speed };
-        let rate = acceleration(&start.load);
-        let (dt, end) = if self.has_past() {
-            let dt = self.extrapolated_dt(&start);
-            (dt, self.extrapolated(&start, rate, dt))
-        } else {
-            let dt = self.stable_dt(&start);
-            let half = self.moved(self.speed, &start, rate, 0.5 * dt);
-            if !half.is_finite() {
-                return Err(ended(half.speed));
-            }
-            let middle = half.solve();
-            (dt, self.moved(half.speed, &middle, acceleration(&middle.load), dt))
-        };
-        let goes_on = end.is_finite() && end.speed > 0.0 && start.load.force.is_finite() && !self.is_too_short(dt);
-        if !goes_on {
-            return Err(ended(end.speed));
-        }
-        *self = end.after(self, &start, rate, dt).attached().redistributed();
-        Ok((dt, start.load))
+        let separate = |[flow]: &mut [EntryFlow; 1], now: &SymmetricSolution, rate: f64| flow.separate(now, rate);
+        step(from_mut(self), |[flow]| flow.solve(), separate, acceleration)
     }
 
     /// Is enough known of the past for a step without a solution in its middle? Next to a wet chine it is not: such steps would have to be half as
     /// long.
-    pub(super) fn has_past(&self) -> bool {
+    fn has_past(&self) -> bool {
         self.past.len() + 1 == INSTANTS && self.underside.is_none()
     }
 
     /// Moved over `dt` by Adams and Bashforth's rule; `now` is the flow and `rate` the downward acceleration at this instant.
-    pub(super) fn extrapolated(&self, now: &Solution, rate: f64, dt: f64) -> EntryFlow {
+    fn extrapolated(&self, now: &Solution, rate: f64, dt: f64) -> EntryFlow {
         let ago = [self.past[0].ago, self.past[1].ago];
         let weights = weights(dt, ago);
         let motion = self.motion(rate, 0.0);
@@ -94,7 +116,7 @@ impl EntryFlow {
     }
 
     /// With what it comes from after `dt`: a flow whose nodes are those of this one.
-    pub(super) fn after(mut self, before: &EntryFlow, flow: &Solution, rate: f64, dt: f64) -> EntryFlow {
+    fn after(mut self, before: &EntryFlow, flow: &Solution, rate: f64, dt: f64) -> EntryFlow {
         let older = before.past.iter().map(|past| Past { ago: past.ago + dt, ..*past });
         self.past = std::iter::once(before.motion(rate, dt)).chain(older).take(INSTANTS - 1).collect();
         self.surface.store_past(&before.surface, &flow.above);
@@ -141,7 +163,7 @@ impl EntryFlow {
     }
 
     /// Is a step [s] so short that the surface is breaking up?
-    pub(super) fn is_too_short(&self, dt: f64) -> bool {
+    fn is_too_short(&self, dt: f64) -> bool {
         dt * self.keel_speed().abs() < LEAST_GROWTH * self.face.draught
     }
 
@@ -151,7 +173,7 @@ impl EntryFlow {
     }
 
     /// Longest step of Adams and Bashforth's rule [s].
-    pub(super) fn extrapolated_dt(&self, now: &Solution) -> f64 {
+    fn extrapolated_dt(&self, now: &Solution) -> f64 {
         self.longest_dt(now, self.sizes.courant_at(self.face.place(0.0).tangent.arg()))
     }
 

@@ -30,14 +30,14 @@ fn the_bodys_work_is_energy_of_the_water() {
             if flow.separate(&before, 0.0) {
                 before = flow.solve();
             }
-            let dt = flow.stable_dt(&before);
-            let middle = flow.moved(2.0, &before, 0.0, 0.5 * dt).solve();
-            let end = flow.moved(2.0, &middle, 0.0, dt);
+            let dt = flow.stable_dt(&before.sides[0]);
+            let middle = flow.moved(2.0, &before.sides[0], 0.0, 0.5 * dt).solve();
+            let end = flow.moved(2.0, &middle.sides[0], 0.0, dt);
             let sums = if flow.chines_wet() { &mut wet } else { &mut dry };
             let keel = flow.keel_speed();
             let force = middle.load.force * keel / 2.0 + middle.load.added_mass * (end.keel_speed() - keel) / dt;
             sums[0] += force * keel * dt;
-            sums[1] += end.solve().energy(gravity) - before.energy(gravity);
+            sums[1] += end.solve().sides[0].energy(gravity) - before.sides[0].energy(gravity);
             flow = end.attached().redistributed();
         }
         for (chines, [work, energy], within) in [("dry", dry, 0.013), ("wet", wet, 0.016)] {

@@ -2,7 +2,7 @@
 
 use super::{RolledFlow, RolledLoad};
 use crate::asymmetric_similarity::AsymmetricFlow;
-use crate::boundary_element::entry::{LATEST_UNDER_GRAVITY, STEPS_BEFORE, STOPPED, begin, fall_time};
+use crate::boundary_element::entry::{LATEST_UNDER_GRAVITY, STOPPED, begin, contact, fall, rate, until_the_flow};
 use crate::entry::SectionMotion;
 use crate::model::{EntryModel, OutOfRange};
 
@@ -49,9 +49,6 @@ pub struct RolledInstant {
     pub pressure: [Vec<[f64; 2]>; 2],
 }
 
-/// Time, draught, downward speed.
-type State = [f64; 3];
-
 impl RolledEntry {
     /// The wedge step by step from t = 0 to `end` [s] or as far as the flow can be followed, and why not further. Before the flow begins the load is
     /// that of the similar flow, A V² + M dV/dt.
@@ -59,18 +56,22 @@ impl RolledEntry {
     /// # Errors
     /// As [`RolledFlow::new`]; a flow that cannot be followed for two steps.
     pub fn solve(&self, end: f64) -> Result<(Vec<RolledInstant>, Option<OutOfRange>), OutOfRange> {
-        let g = if matches!(self.motion, SectionMotion::Free(_)) { self.gravity } else { 0.0 };
-        let in_air = if self.draught < 0.0 { fall_time(-self.draught, self.speed, g) } else { 0.0 };
-        let at_contact = self.speed + g * in_air;
+        let start = [self.draught, self.speed];
+        let [g, in_air, at_contact] = contact(self.motion, start, self.gravity);
         let begin = self.begin(at_contact, end - in_air, g)?;
         let similar = RolledFlow::new(self.deadrises, self.lengths, begin, at_contact, 0.0)?;
-        let (mut instants, mut state) = (self.in_air(in_air, g), [in_air, self.draught.max(0.0), at_contact]);
+        let nothing = RolledLoad::default();
+        let mut instants: Vec<_> = fall(start, in_air, g).map(|state| self.instant(state, &nothing)).collect();
+        let [mut time, mut speed] = [in_air, at_contact];
         if self.draught <= 0.0 {
-            state = self.until_the_flow(&mut instants, &similar, state);
+            let (end, rate) = (similar.load(), |load: &RolledLoad| self.rate(load));
+            let load = |h: f64, v: f64| end.scaled(h / similar.draught(), v / similar.speed());
+            let keep = |state: [f64; 4], load: &RolledLoad| instants.push(self.instant(state, load));
+            [time, speed] = until_the_flow(similar.draught(), [time, speed], load, rate, keep);
         }
         let followed = instants.len();
-        let flow = similar.at_speed(state[2], self.gravity);
-        let why = self.follow(&mut instants, flow, state[0], end, STOPPED * at_contact);
+        let flow = similar.at_speed(speed, self.gravity);
+        let why = self.follow(&mut instants, flow, time, end, STOPPED * at_contact);
         if instants.len() < followed + 2 {
             return Err(refuse(format!("one whose flow breaks up at once, at a draught of {begin:.4} m")));
         }
@@ -94,45 +95,7 @@ impl RolledEntry {
     }
 
     fn rate(&self, load: &RolledLoad) -> f64 {
-        match self.motion {
-            SectionMotion::Constant => 0.0,
-            SectionMotion::Free(mass) => {
-                (mass * self.gravity - self.density * load.force[1]) / (mass + self.density * load.added_mass[1])
-            }
-        }
-    }
-
-    fn in_air(&self, contact: f64, g: f64) -> Vec<RolledInstant> {
-        let at = |time: f64| RolledInstant {
-            time,
-            draught: self.draught + self.speed * time + 0.5 * g * time * time,
-            speed: self.speed + g * time,
-            rate: g,
-            force: [0.0; 2],
-            moment: 0.0,
-            wetted: [0.0; 2],
-            pressure: Default::default(),
-        };
-        let count = if contact > 0.0 { STEPS_BEFORE } else { 0 };
-        (0..count).map(|k| at(contact * k as f64 / count as f64)).collect()
-    }
-
-    /// From contact to the draught at which the flow begins: midpoint rule in the draught.
-    fn until_the_flow(&self, instants: &mut Vec<RolledInstant>, similar: &RolledFlow, from: State) -> State {
-        let (of_flow, [mut time, _, mut speed]) = (similar.load(), from);
-        let load = |draught: f64, speed: f64| of_flow.scaled(draught / similar.draught(), speed / similar.speed());
-        let dh = similar.draught() / STEPS_BEFORE as f64;
-        for k in 0..STEPS_BEFORE {
-            let draught = dh * k as f64;
-            let now = load(draught, speed);
-            let rate = self.rate(&now);
-            instants.push(self.instant([time, draught, speed], rate, &now));
-            let half = speed + rate * 0.5 * dh / speed;
-            let rate = self.rate(&load(draught + 0.5 * dh, half));
-            time += dh / half;
-            speed += rate * dh / half;
-        }
-        [time, similar.draught(), speed]
+        rate(self.motion, self.gravity, self.density, [load.force[1], load.added_mass[1]])
     }
 
     /// The steps of the flow from `time` to `end` [s]; why it ended earlier.
@@ -145,25 +108,25 @@ impl RolledEntry {
         stopped: f64,
     ) -> Option<&'static str> {
         loop {
-            let state = [time, flow.draught(), flow.speed()];
+            let [draught, speed] = [flow.draught(), flow.speed()];
             let Ok((dt, load)) = flow.step(|load| self.rate(load)) else {
                 return Some("one whose flow breaks up");
             };
-            instants.push(self.instant(state, self.rate(&load), &load));
+            instants.push(self.instant([time, draught, speed, self.rate(&load)], &load));
             if time >= end {
                 return None;
             }
-            if state[2] < stopped {
+            if speed < stopped {
                 return Some("one that leaves the water");
             }
-            if state[1] > DEEPEST * (self.lengths[0] + self.lengths[1]) {
+            if draught > DEEPEST * (self.lengths[0] + self.lengths[1]) {
                 return Some("one deeper than its breadth");
             }
             time += dt;
         }
     }
 
-    fn instant(&self, [time, draught, speed]: State, rate: f64, load: &RolledLoad) -> RolledInstant {
+    fn instant(&self, [time, draught, speed, rate]: [f64; 4], load: &RolledLoad) -> RolledInstant {
         let rho = self.density;
         let pressure = load
             .pressure

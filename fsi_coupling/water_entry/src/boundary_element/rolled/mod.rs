@@ -14,8 +14,8 @@ use super::elements::Sizes;
 use super::entry::BEGIN;
 use super::face::Face;
 use super::lower_side::LowerSide;
-use super::solution::Solution;
 use super::state::EntryFlow;
+use super::stepping::step;
 use super::surface::FreeSurface;
 use super::{FAR, FlowEnded};
 use crate::asymmetric_similarity::AsymmetricFlow;
@@ -123,54 +123,14 @@ impl RolledFlow {
     /// # Errors
     /// A wedge that has stopped, or a flow that is no longer finite; the state before the step is kept.
     pub fn step(&mut self, acceleration: impl Fn(&RolledLoad) -> f64) -> Result<(f64, RolledLoad), FlowEnded> {
-        let mut start = solution::solve(&self.sides);
-        if self.separate(&start) {
-            self.sides.iter_mut().for_each(EntryFlow::clear_past);
-            start = solution::solve(&self.sides);
-        }
-        let ended = |speed: f64| FlowEnded { draught: self.draught(), speed };
-        let rate = acceleration(&start.load);
-        let longest = |of: &dyn Fn(&EntryFlow, &Solution) -> f64| {
-            self.sides.iter().zip(&start.sides).map(|(side, now)| of(side, now)).fold(f64::INFINITY, f64::min)
-        };
-        let (dt, end) = if self.sides.iter().all(EntryFlow::has_past) {
-            let dt = longest(&EntryFlow::extrapolated_dt);
-            (dt, [0, 1].map(|i| self.sides[i].extrapolated(&start.sides[i], rate, dt)))
-        } else {
-            let dt = longest(&EntryFlow::stable_dt);
-            let half = self.moved(self.speed(), &start, rate, 0.5 * dt);
-            if !half.iter().all(EntryFlow::is_finite) {
-                return Err(ended(half[0].speed));
-            }
-            let middle = solution::solve(&half);
-            (dt, self.moved(half[0].speed, &middle, acceleration(&middle.load), dt))
-        };
-        let is_finite = end.iter().all(EntryFlow::is_finite) && start.load.force[1].is_finite();
-        if !(is_finite && end[0].speed > 0.0) || self.sides[0].is_too_short(dt) {
-            return Err(ended(end[0].speed));
-        }
-        let [right, left] = end;
-        let after = |i: usize, end: EntryFlow| end.after(&self.sides[i], &start.sides[i], rate, dt).redistributed();
-        self.sides = [after(0, right), after(1, left)];
-        Ok((dt, start.load))
+        step(&mut self.sides, solution::solve, separate, acceleration)
     }
+}
 
-    /// EN24 on each side: true where the flow has left a chine.
-    fn separate(&mut self, now: &RolledSolution) -> bool {
-        let mut left = false;
-        for (side, now) in self.sides.iter_mut().zip(&now.sides) {
-            if let Some(underside) = side.separated(now) {
-                side.underside = Some(underside);
-                left = true;
-            }
-        }
-        left
-    }
-
-    /// Both sides moved over `dt` with a downward speed, an acceleration and the flow `at` some instant.
-    fn moved(&self, speed: f64, at: &RolledSolution, rate: f64, dt: f64) -> [EntryFlow; 2] {
-        [0, 1].map(|i| self.sides[i].moved(speed, &at.sides[i], rate, dt))
-    }
+/// EN24 on each side: true where the flow has left a chine.
+fn separate(sides: &mut [EntryFlow; 2], now: &RolledSolution, _: f64) -> bool {
+    let left = [0, 1].map(|i| sides[i].leaves_chine(&now.sides[i]));
+    left[0] || left[1]
 }
 
 /// Size of the elements next to the jet of a face over that of a symmetric flow [-].

@@ -5,14 +5,12 @@ use std::f64::consts::PI;
 use faer::c64;
 
 use super::super::cauchy::{Complex, Known};
-use super::super::solution::{FlowLoad, Nodes, Solution, slope_at_edge};
-use super::super::spline::Spline;
+use super::super::solution::{Nodes, Solved};
 use super::super::state::EntryFlow;
-use super::super::surface::SurfaceFlow;
 use super::contour::WholeContour;
 
 /// Load of the water on both faces of a rolled wedge, over its density. The moment is about the apex, counter-clockwise.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct RolledLoad {
     /// Force at constant speed [F_x, F_y]/ρ [m³/s²], x to the right, y up.
     pub force: [f64; 2],
@@ -54,11 +52,8 @@ impl RolledLoad {
     }
 }
 
-/// One solution of the flow: of both sides, x outwards, and the load.
-pub(super) struct RolledSolution {
-    pub sides: [Solution; 2],
-    pub load: RolledLoad,
-}
+/// The flow about a rolled wedge: right and left, x outwards.
+pub(super) type RolledSolution = Solved<2, RolledLoad>;
 
 /// Values on the nodes of the whole contour, from those of its right and left side.
 fn joined<T: Copy>([right, left]: [&[T]; 2], mirrored: impl Fn(T) -> T) -> Vec<T> {
@@ -89,20 +84,8 @@ fn of_side(beta: &Complex, count: usize, is_left: bool) -> Complex {
 
 impl Velocities {
     fn new(flow: &EntryFlow, nodes: &Nodes, beta: &Complex) -> Velocities {
-        let Nodes { end, foot, contact, along, .. } = nodes;
-        let phi = &beta.phi[*contact..];
-        let from_end: Vec<f64> = along.iter().map(|s| along[0] - s).collect();
-        let slopes = Spline::new(&from_end, phi.iter().copied()).slopes();
-        let mut below =
-            flow.underside.as_ref().map_or_else(Vec::new, |surface| surface.velocity(&beta.psi[*foot..=*contact]));
-        if let Some(at_chine) = below.last_mut() {
-            *at_chine = flow.on_face(flow.face.length(), slope_at_edge(along, phi));
-        }
-        Velocities {
-            above: flow.surface.velocity(&beta.psi[..=*end]),
-            below,
-            on_body: along.iter().zip(slopes).map(|(s, slope)| flow.on_face(*s, slope)).collect(),
-        }
+        let [above, below] = flow.surface_velocities(nodes, beta);
+        Velocities { above, below, on_body: flow.face_velocities(&nodes.along, &beta.phi[nodes.contact..]) }
     }
 
     /// φ_t in the wedge's axes, φ_t − V φ_y, where p = 0; 0 on the face.
@@ -172,8 +155,9 @@ pub(super) fn solve(sides: &[EntryFlow; 2]) -> RolledSolution {
     load.pressure.iter_mut().for_each(|pressure| pressure[0][1] = 0.0); // as of `FlowLoad`
     let [right, left] = nodes;
     let ([beta_right, beta_left], [v_right, v_left]) = (beta, velocities);
-    let parts = [(&sides[0], right, beta_right, v_right), (&sides[1], left, beta_left, v_left)];
-    RolledSolution { sides: parts.map(|(flow, nodes, beta, v)| of(flow, nodes, beta, v)), load }
+    let right = sides[0].solution(right, beta_right, [v_right.above, v_right.below]);
+    let left = sides[1].solution(left, beta_left, [v_left.above, v_left.below]);
+    Solved { sides: [right, left], force: load.force[1], load }
 }
 
 /// A place on a face.
@@ -194,26 +178,5 @@ impl Place<'_> {
         let relative = share * (self.velocities.on_body[at] - body).norm_sqr();
         let steady = -rate - 0.5 * relative + 0.5 * speed * speed - self.flow.gravity * z[k].im;
         [along[k - contact], steady, -per_acceleration]
-    }
-}
-
-/// The solution of a side.
-fn of(flow: &EntryFlow, nodes: Nodes, beta: Complex, velocities: Velocities) -> Solution {
-    let Nodes { z, foot, contact, along, .. } = nodes;
-    let Velocities { above, below, .. } = velocities;
-    let phi_t = |v: &c64, z: &c64| -0.5 * v.norm_sqr() - flow.gravity * z.im;
-    let with_water = |v: &c64, z: &c64| v.norm_sqr() + phi_t(v, z);
-    let mut rate_below: Vec<f64> = below.iter().zip(&z[foot..]).map(|(v, z)| with_water(v, z)).collect();
-    if let (Some(at_chine), Some(v)) = (rate_below.last_mut(), below.last()) {
-        *at_chine = phi_t(v, &flow.face.edge()) - flow.speed * v.im;
-    }
-    Solution {
-        above: SurfaceFlow { rate: above.iter().zip(&z).map(|(v, z)| with_water(v, z)).collect(), velocity: above },
-        below: SurfaceFlow { velocity: below, rate: rate_below },
-        load: FlowLoad { force: 0.0, added_mass: 0.0, pressure: Vec::new() },
-        nodes: z,
-        beta,
-        contact,
-        along,
     }
 }

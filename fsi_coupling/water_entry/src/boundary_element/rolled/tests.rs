@@ -82,12 +82,13 @@ fn the_bodys_work_is_energy_of_the_water() {
         while flow.draught() < 0.3 {
             let energy = |at: &RolledSolution| at.sides.iter().map(|s| 0.5 * s.energy(gravity)).sum::<f64>();
             let mut before = solution::solve(&flow.sides);
-            if flow.separate(&before) {
+            if separate(&mut flow.sides, &before, 0.0) {
                 before = solution::solve(&flow.sides);
             }
             let dt = (0..2).map(|i| flow.sides[i].stable_dt(&before.sides[i])).fold(f64::INFINITY, f64::min);
-            let middle = solution::solve(&flow.moved(2.0, &before, 0.0, 0.5 * dt));
-            let end = flow.moved(2.0, &middle, 0.0, dt);
+            let moved = |at: &RolledSolution, dt: f64| [0, 1].map(|i| flow.sides[i].moved(2.0, &at.sides[i], 0.0, dt));
+            let middle = solution::solve(&moved(&before, 0.5 * dt));
+            let end = moved(&middle, dt);
             let wet = flow.chines_wet().into_iter().filter(|wet| *wet).count();
             sums[wet][0] += middle.load.force[1] * 2.0 * dt;
             sums[wet][1] += energy(&solution::solve(&end)) - energy(&before);
