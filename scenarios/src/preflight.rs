@@ -97,6 +97,9 @@ pub struct PanelExchange {
     pub natural_frequencies_hz: Vec<f64>,
 }
 
+/// Cost of a run at half the spacing over its own: four times the particles, twice the steps.
+const HALF_THE_SPACING: f64 = 8.0;
+
 /// Particles of the block of water in the air, counted.
 fn particles_of_block(scene: &Scene) -> usize {
     let mut count = 0;
@@ -232,7 +235,11 @@ impl Preflight {
             format!("particles    {} fluid{growing}, about {} wall", self.fluid_particles, self.wall_particles),
             format!("memory       about {:.0} MiB", self.memory_mib),
             format!("step         {:.3e} s at the start, about {} steps", self.step_s, self.steps),
-            format!("cost         about {:.0} core-seconds", self.core_seconds),
+            format!(
+                "cost         about {:.0} core-seconds; half the error, at half the spacing: about {:.0}",
+                self.core_seconds,
+                HALF_THE_SPACING * self.core_seconds
+            ),
         ]);
         if let Some((sound, mach)) = self.sound_speed_m_per_s.zip(self.mach) {
             lines.push(format!("sound speed  {sound:.1} m/s, Mach {mach:.3} at the fastest known speed"));

@@ -5,6 +5,7 @@
 
 mod command;
 
+mod accuracy;
 mod bench;
 mod bits;
 mod chart;

@@ -13,7 +13,7 @@ use serde::Serialize;
 use super::shared::{DONE, Output, Stop, say};
 use crate::experiments::catalogue::{self, Case, Catalogue};
 use crate::experiments::{
-    ExperimentError, coverage, stability as stability_maps, uncharted, validation, work_precision as charts,
+    ExperimentError, coverage, drops, stability as stability_maps, uncharted, validation, work_precision as charts,
 };
 
 /// Cases of an experiment, and the file of its table.
@@ -184,8 +184,11 @@ pub struct BandsArgs {
     /// Run this number of wedges that are on no chart, and compare the error bars that they have from charts.
     #[arg(long, value_name = "COUNT", conflicts_with_all = ["cases", "all"], value_parser = value_parser!(u32).range(1..=10_000))]
     uncharted: Option<u32>,
+    /// Run this number of drops of wedges and arcs, and compare the bands of their quoted results with boundary elements.
+    #[arg(long, value_name = "COUNT", conflicts_with_all = ["cases", "all", "uncharted"], value_parser = value_parser!(u32).range(1..=10_000))]
+    drops: Option<u32>,
     /// Which ones.
-    #[arg(long, default_value_t = 1, requires = "uncharted")]
+    #[arg(long, default_value_t = 1)]
     seed: u64,
 }
 
@@ -196,11 +199,30 @@ pub fn run_bands(output: &Output, args: &BandsArgs) -> Result<u8, Stop> {
     if let Some(count) = args.uncharted {
         return run_uncharted(output, args, count as usize);
     }
+    if let Some(count) = args.drops {
+        return run_drops(output, args, count as usize);
+    }
     if args.selection.is_empty() {
         return list(&coverage::CASES);
     }
     let lines = lines_of(output, &coverage::CASES.select(&args.selection.cases)?, coverage::cover)?;
     args.selection.show(output, &lines, ERROR_BARS, &coverage::table(&lines))?;
+    Ok(DONE)
+}
+
+fn run_drops(output: &Output, args: &BandsArgs, count: usize) -> Result<u8, Stop> {
+    let drops: Vec<_> = (0..count).map(|k| drops::draw(args.seed, k)).collect();
+    drops::read_all(&drops)?;
+    let mut lines = Vec::new();
+    for drop in &drops {
+        output.progress(format_args!("{} {} …", drop.0, drop.1.join(" ")));
+        lines.extend(drops::cover(drop)?);
+    }
+    let heading = format!(
+        "# Bands of quoted results\n\nWritten by `splashdown bands --drops {count} --seed {} --table FILE`.",
+        args.seed
+    );
+    args.selection.show(output, &lines, &heading, &uncharted::table(&lines))?;
     Ok(DONE)
 }
 

@@ -12,6 +12,7 @@
 //! | `run --to` | [`accuracy`] | models, spacings | bands of the quoted results |
 //! | `bands` | [`coverage`] | spacings in the ratio 4 : 2 : 1 | does the error bar contain the exact value? |
 //! | `bands --uncharted` | [`uncharted`] | angles, speeds, spacings at random | does a charted error bar contain the exact value? |
+//! | `bands --drops` | [`drops`] | drops of wedges and arcs at random | does the band of a quoted result contain that of boundary elements? |
 //! | `chart` | [`work_precision`] | families of settings at growing effort | error against cost, Pareto front |
 //! | `stability` | [`stability`] | two parameters | stable, inaccurate or failed, against a theoretical boundary |
 //!
@@ -28,6 +29,7 @@ pub mod accuracy;
 pub mod catalogue;
 pub mod convergence;
 pub mod coverage;
+pub mod drops;
 mod error;
 pub mod runs;
 pub mod stability;

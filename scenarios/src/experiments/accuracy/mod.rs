@@ -1,8 +1,8 @@
 //! `splashdown run --to`: the cheapest run whose quoted results are within a share of their values.
 //!
-//! Theories come first, from the cheapest: their bands are known. Particles follow: the scene's own run says how wide its bands are, and its
-//! bandwidths are held from then on. A finer run, with runs at 2 and 4 times its spacing, ends when each result has a band, of the run or of
-//! the study of the three, within the share asked for; else it is refined again. Runs that a folder already has are not made again.
+//! Theories come first, from the cheapest: their bands are known. Particles follow: the scene's own run, whose bandwidths are held from then
+//! on, and runs at 2 and 4 times its spacing. It ends when each result has a band, of the run or of the study of the three, within the share
+//! asked for; else with a finer spacing. Runs that a folder already has are not made again.
 
 mod level;
 mod target;
@@ -13,7 +13,7 @@ use run::error_bar::ErrorBars;
 use run::model_hierarchy::assess;
 use run::summary::Summary;
 use run::{Checkpoints, RunOptions};
-use scene::vocabulary::{ResultId, ResultName, Results};
+use scene::vocabulary::{Quantity, ResultId, ResultName, Results};
 use scene::{Loaded, Scene};
 use serde::Serialize;
 
@@ -41,7 +41,7 @@ pub struct Request {
     pub sets: Vec<String>,
     /// Largest half width of a band over the value [-].
     pub share: f64,
-    /// Results, as `peak_force_N_per_m` or `PANEL.peak_stress_Pa`; empty: all that the scene's own run quotes.
+    /// Results, as `peak_force_N_per_m` or `PANEL.peak_stress_Pa`; empty: those that the scene's own run gives as sound.
     pub results: Vec<String>,
     /// Folder of the runs.
     pub out: PathBuf,
@@ -72,13 +72,16 @@ impl Request {
         Ok(run::load(&self.scene, &[&self.sets, further].concat())?)
     }
 
-    /// The results that count: those asked for, or else all that have a sound verdict or a band.
+    /// The results that count: those asked for; else those against which nothing speaks in the first run, or all where none is so.
     fn chosen(&self, results: &Results) -> Vec<ResultId> {
-        let is_asked = |id: &ResultId| match self.results.is_empty() {
-            true => id.name != ResultName::ReserveFactor,
-            false => self.results.contains(&id.to_string()),
+        let of = |keep: &dyn Fn(&ResultId, &Quantity) -> bool| -> Vec<ResultId> {
+            results.named().filter(|(id, quantity)| keep(id, quantity)).map(|(id, _)| id).collect()
         };
-        results.named().map(|(id, _)| id).filter(is_asked).collect()
+        if !self.results.is_empty() {
+            return of(&|id, _| self.results.contains(&id.to_string()));
+        }
+        let sound = of(&|id, quantity| id.name != ResultName::ReserveFactor && quantity.verdict.is_sound());
+        if sound.is_empty() { of(&|id, _| id.name != ResultName::ReserveFactor) } else { sound }
     }
 }
 
@@ -153,8 +156,7 @@ fn by_particles(request: &Request, instead: bool, tell: &impl Fn(String)) -> Res
     }
     further.extend(first.bandwidths());
     let mut levels = vec![first];
-    let mut spacing =
-        finer(at_start, &achieved(&chosen, &levels[0].results, &ErrorBars::new(), request.share), request.share);
+    let mut spacing = at_start; // its study costs a seventh of the run
     for round in 1..=ROUNDS {
         let at = |spacing: f64| request.scene(&[&further[..], &[format!("resolution.spacing={spacing:?}")]].concat());
         let needed: Vec<f64> = COARSER.iter().map(|times| times * spacing).chain([spacing]).collect();

@@ -64,7 +64,8 @@ pub(super) fn achieved(chosen: &[ResultId], results: &Results, bars: &ErrorBars,
     chosen.iter().map(of).collect()
 }
 
-/// Error bars of the results of the run at the finest spacing, from it and the two next coarser ones; only those with an observed order.
+/// Error bars of the results of the run at the finest spacing, from it and the two next coarser ones: without an observed
+/// order the band is three times their range (GE16).
 pub(super) fn bars(scene: &Scene, levels: &[Level], finest: &Level, chosen: &[ResultId]) -> ErrorBars {
     let mut studied: Vec<&Level> = levels.iter().filter(|level| level.spacing > finest.spacing * 1.01).collect();
     studied.sort_by(|a, b| a.spacing.total_cmp(&b.spacing));
@@ -72,7 +73,7 @@ pub(super) fn bars(scene: &Scene, levels: &[Level], finest: &Level, chosen: &[Re
     let bar = |id: &ResultId| {
         let sample = |level: &&Level| Some(Sample { spacing: level.spacing, law: 1.0, value: level.get(id)?.value });
         let samples: Vec<Sample> = studied.iter().map(sample).collect::<Option<_>>()?;
-        let found = fit(&samples).filter(|found| samples.len() == STUDIED && found.converged)?;
+        let found = fit(&samples).filter(|found| samples.len() == STUDIED && found.uncertainty.is_finite())?;
         let sound = sound_share(scene)? * found.extrapolated.abs();
         Some((
             path(id),

@@ -1,0 +1,169 @@
+//! `splashdown bands --drops`: how often the band of a quoted force or impulse contains the value of boundary elements, for drops at random.
+
+use run::error_bar::ErrorBar;
+use run::observers::Series;
+use run::{RunOptions, run};
+use scene::vocabulary::{ResultName, Verdict};
+use scene::{Scene, SceneError};
+use sph_core::SplitMix64;
+
+use super::ExperimentError;
+use super::coverage::Line;
+use super::runs::{run_to_end, scene_with};
+
+/// Ranges that drops are drawn from, evenly in the logarithm: breadth [m], speed [m/s], mass over ρ₀ breadth² [-], deadrise [deg], radius of an
+/// arc over its breadth [-], spacings in the draught at the peak [-].
+const BREADTH: [f64; 2] = [0.3, 3.0];
+const SPEED: [f64; 2] = [1.5, 9.0];
+const MASS: [f64; 2] = [0.15, 1.2];
+const DEADRISE: [f64; 2] = [12.0, 44.0];
+const RADIUS: [f64; 2] = [0.6, 1.5];
+const SPACINGS: [f64; 2] = [8.0, 36.0];
+/// End of a run over the time in which the spray root would reach the chines without being slowed (Wagner 1932) [-].
+const END: [f64; 2] = [0.7, 1.3];
+/// Solvers, in turn.
+const SOLVERS: [&str; 2] = ["weakly_compressible", "incompressible"];
+/// One in this number is an arc.
+const ARCS: usize = 4;
+
+/// A number drawn evenly in the logarithm.
+fn between(random: &mut SplitMix64, [low, high]: [f64; 2]) -> f64 {
+    low * (high / low).powf(random.unit())
+}
+
+/// A drop: the name of its scene and the overrides.
+pub type Drop = (&'static str, Vec<String>);
+
+/// Drop `k` of a seed.
+pub fn draw(seed: u64, k: usize) -> Drop {
+    let mut random = SplitMix64(seed.wrapping_mul(1_000_003).wrapping_add(k as u64));
+    let mut of = |range| between(&mut random, range);
+    let (breadth, speed, mass, spacings, end) = (of(BREADTH), of(SPEED), of(MASS), of(SPACINGS), of(END));
+    let (deadrise, ratio) = (of(DEADRISE), of(RADIUS));
+    let slope = deadrise.to_radians().tan();
+    let radius = ratio * breadth;
+    let is_arc = k % ARCS == ARCS - 1;
+    // draught at which the spray root is at the chines, and at which the water's mass is a fifth of the body's (GE22)
+    let (chines, of_mass) = match is_arc {
+        true => {
+            (breadth * breadth / (16.0 * radius), mass * breadth * breadth / (10.0 * std::f64::consts::PI * radius))
+        }
+        false => {
+            let added = std::f64::consts::FRAC_PI_2 * (std::f64::consts::FRAC_PI_2 / slope).powi(2);
+            (slope * breadth / std::f64::consts::PI, (mass * breadth * breadth / (5.0 * added)).sqrt())
+        }
+    };
+    let spacing = chines.min(of_mass) / spacings;
+    let shape = match is_arc {
+        true => format!("body.radius={radius:.5}"),
+        false => format!("body.deadrise_deg={deadrise:.3}"),
+    };
+    let sets = vec![
+        format!("solver={}", SOLVERS[(k / 2) % SOLVERS.len()]),
+        shape,
+        format!("body.breadth={breadth:.5}"),
+        format!("body.mass={:.5}", 1000.0 * mass * breadth * breadth),
+        format!("body.velocity=[0.0, {:.4}]", -speed),
+        format!("time.end={:.7}", end * chines / speed),
+        format!("resolution.spacing={spacing:.7}"),
+    ];
+    (if is_arc { "fuselage_section" } else { "wedge" }, sets)
+}
+
+/// Refuses drops that cannot be read, before the first runs.
+///
+/// # Errors
+/// The first that is wrong.
+pub fn read_all(drops: &[Drop]) -> Result<(), SceneError> {
+    drops.iter().try_for_each(|(scene, sets)| scene_with(scene, sets, &[]).map(|_| ()))
+}
+
+/// Run a drop by particles and by boundary elements: a line for the force and for the impulse, where they have a band.
+///
+/// # Errors
+/// The scene is wrong, or a run ended early.
+pub fn cover((name, sets): &Drop) -> Result<Vec<Line>, ExperimentError> {
+    let particles = run_to_end(&scene_with(name, sets, &[])?)?;
+    let without_solver: Vec<String> = sets.iter().filter(|set| !set.starts_with("solver=")).cloned().collect();
+    let other = scene_with(name, &without_solver, &["model=boundary_element".into()])?;
+    let other = Curve::of(&other, &run(&other, &RunOptions::default())?.series);
+    let line = |result: ResultName, exact: f64| {
+        let quantity = particles.summary.results.get(result)?;
+        let band = quantity.band.filter(|_| quantity.verdict == Verdict::Resolved)?;
+        let bar = ErrorBar {
+            value: quantity.value,
+            extrapolated: None,
+            band,
+            order: None,
+            verdict: quantity.verdict.name().into(),
+            method: "band of the run".into(),
+        };
+        Some(Line {
+            case: format!("{name} {}", sets.join(" ")),
+            path: result.name().into(),
+            exact,
+            holds: bar.holds(exact),
+            bar,
+            core_seconds: particles.core_seconds(),
+            source: "boundary elements".into(),
+        })
+    };
+    let force = particles.summary.results.get(ResultName::PeakForce).and_then(|force| force.cutoff_hz);
+    let force = force.and_then(|cutoff| line(ResultName::PeakForce, other.largest_mean(run::results::CUTOFF / cutoff)));
+    let end = particles.summary.time_end_s;
+    Ok(force.into_iter().chain(line(ResultName::Impulse, other.impulse(end))).collect())
+}
+
+/// A force over time and its integral.
+struct Curve {
+    times: Vec<f64>,
+    integral: Vec<f64>,
+}
+
+impl Curve {
+    fn of(scene: &Scene, series: &Series) -> Curve {
+        let times = series.times();
+        let body = scene.body.as_ref().map_or("", |body| &body.name);
+        let force = series.column(&format!("{body}.fy_N_per_m")).unwrap_or_else(|| vec![0.0; times.len()]);
+        let mut integral = vec![0.0];
+        for k in 1..times.len() {
+            integral.push(integral[k - 1] + 0.5 * (times[k] - times[k - 1]) * (force[k] + force[k - 1]));
+        }
+        Curve { times, integral }
+    }
+
+    /// Integral up to a time [s].
+    fn impulse(&self, at: f64) -> f64 {
+        let k = self.times.partition_point(|t| *t < at).clamp(1, self.times.len() - 1);
+        let share = ((at - self.times[k - 1]) / (self.times[k] - self.times[k - 1])).clamp(0.0, 1.0);
+        self.integral[k - 1] + share * (self.integral[k] - self.integral[k - 1])
+    }
+
+    /// Largest mean over a time [s].
+    fn largest_mean(&self, over: f64) -> f64 {
+        let start = self.times[0];
+        let mean = |t: &f64| (self.impulse(*t) - self.impulse(t - over)) / over;
+        self.times.iter().filter(|t| **t - over >= start).map(mean).fold(0.0, f64::max)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn drops_are_the_same_for_a_seed_and_can_be_read() {
+        let drops: Vec<_> = (0..20).map(|k| draw(7, k)).collect();
+        assert_eq!(draw(7, 3), drops[3]);
+        assert_ne!(draw(8, 3), drops[3]);
+        read_all(&drops).expect("scenes");
+    }
+
+    #[test]
+    fn the_largest_mean_of_a_ramp_is_that_of_its_end() {
+        let times: Vec<f64> = (0..=100).map(|k| 0.01 * f64::from(k)).collect();
+        let integral = times.iter().map(|t| t * t).collect(); // of 2 t
+        let curve = Curve { times, integral };
+        assert!((curve.largest_mean(0.1) - 1.9).abs() < 1e-9);
+    }
+}
