@@ -26,7 +26,7 @@ def test_spawned_processes_compute_the_same(drop: dict[str, Any]) -> None:
 
 @pytest.mark.skipif(sys.platform != "linux", reason="fork")
 @pytest.mark.filterwarnings("ignore:.*fork.*")
-def test_a_forked_process_is_told_so(drop: dict[str, Any]) -> None:
+def test_a_forked_process_is_refused(drop: dict[str, Any]) -> None:
     force(drop)
     with multiprocessing.get_context("fork").Pool(1) as pool:
         assert "spawn" in pool.apply_async(refusal, [drop]).get(timeout=60)

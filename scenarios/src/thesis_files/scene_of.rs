@@ -106,7 +106,7 @@ pub fn scene_of(name: &str, indat: &Indat, ipart: &Ipart, files: [&str; 2]) -> R
         let floor = if fluid.is_empty() { 0.0 } else { extent(fluid, upright)[0] - 0.5 * indat.get("dx") };
         body_of(mobile, upright, [middle, floor + indat.get("h_SWL")], indat.get("dx"))
     });
-    told_of_water(indat, fluid, upright, &mut lines);
+    lines_about_water(indat, fluid, upright, &mut lines);
     let plate = body.as_ref().is_some_and(|body| body.is_plate);
     numerics(indat, projection, plate, &mut lines, files[0])?;
     basin(indat, fluid, upright, &mut lines);
@@ -144,7 +144,7 @@ fn mirrored(ipart: &Ipart, fixed: usize, limit: usize, dx: f64) -> Option<Ipart>
 }
 
 /// Reports water that the scene does not have: above h_SWL, or away from the left wall; and of a scene much larger than the files.
-fn told_of_water(indat: &Indat, fluid: &[Particle], upright: usize, lines: &mut Lines) {
+fn lines_about_water(indat: &Indat, fluid: &[Particle], upright: usize, lines: &mut Lines) {
     let [dx, depth, width] = ["dx", "h_SWL", "vlx"].map(|name| indat.get(name));
     let [low, _] = extent(fluid, upright);
     let above = fluid.iter().filter(|particle| particle.position[upright] > low + depth + dx).count();

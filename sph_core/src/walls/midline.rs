@@ -144,7 +144,7 @@ mod tests {
     }
 
     #[test]
-    fn who_goes_through_is_told_from_who_goes_round() {
+    fn going_through_differs_from_going_round() {
         let still = PlateMidline { points: upright(0.0), ..PlateMidline::default() };
         let (at, normal) = still.passed([0.1, 0.2], [-0.1, 0.4]).expect("through the middle");
         assert!(at[0].abs() < 1e-15 && (at[1] - 0.3).abs() < 1e-15 && normal == [1.0, 0.0], "{at:?} {normal:?}");
