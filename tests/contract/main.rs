@@ -14,6 +14,7 @@ mod documents;
 mod endings;
 mod files;
 mod model;
+mod plane;
 mod refusals;
 mod report;
 mod results;

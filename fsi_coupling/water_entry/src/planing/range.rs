@@ -32,7 +32,8 @@ impl PlaningHull {
         let mut whys: Vec<String> = Vec::new();
         for (what, value, range, unit) in ranges {
             if outside(value, range) {
-                whys.push(format!("{what} of {value:.4}{unit}; compared with tests: {} to {}", range[0], range[1]));
+                let value = (1e4 * value).round() / 1e4;
+                whys.push(format!("{what} of {value}{unit}; compared with tests: {} to {}", range[0], range[1]));
             }
         }
         if wetted.chine <= 0.0 {

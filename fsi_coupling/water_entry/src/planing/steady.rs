@@ -56,9 +56,17 @@ struct Unit<'a> {
     length: f64,
     /// Half of the wetted breadth at the step.
     half_breadth: f64,
+    /// Wetted area over the square of the wetted breadth.
+    aspect: f64,
 }
 
-/// Share of the water that a line of dipoles moves at the distance `aside` from it, of the part that begins `ahead`: EN43.
+/// EN43 (Pabst 1930): share (1 + 1/λ²)^(−1/2) of the load of a long wetted area that is left at a mean wetted length λ over the breadth, not
+/// below 0: that of an endless line of dipoles, seen from half a breadth aside, which is within λ/2 of the middle.
+pub fn finite_length(mean: f64) -> f64 {
+    share_ahead(0.5 * mean, 0.5)
+}
+
+/// EN43: share of the part of a line of dipoles up to a distance `ahead`, seen from a distance `aside`, in what it has without an end there.
 fn share_ahead(ahead: f64, aside: f64) -> f64 {
     ahead / ahead.hypot(aside)
 }
@@ -77,6 +85,7 @@ impl PlaningHull {
             gravity: self.froude().powi(-2),
             length: wetted.keel / b * trim.cos(),
             half_breadth: 0.5 * wetted.breadth / b,
+            aspect: wetted.mean * (b / wetted.breadth).powi(2),
         };
         let [strip, lift] = unit.lifts();
         let (forces, sinking) = unit.distribution().ok_or_else(|| NotPlaning {
@@ -124,15 +133,7 @@ impl Unit<'_> {
             buoyancy += floats;
             reduced += floats * share_ahead(self.length - x, self.half_breadth);
         }
-        // mean wetted length: the wetted area over the wetted breadth
-        let dry = self.length.min(self.chines_wet());
-        let mean = self.length - 0.5 * dry;
-        [slam + buoyancy, share_ahead(0.5 * mean, self.half_breadth) * (slam + reduced)]
-    }
-
-    /// Place behind the front where the chines get wet.
-    fn chines_wet(&self) -> f64 {
-        self.loads.section().wagner_draught(0.5) / self.sinking
+        [slam + buoyancy, finite_length(self.aspect) * (slam + reduced)]
     }
 
     /// EN44: force of each section, and the velocity at which it sinks through the water over `sinking`; `None` where they do not converge.
