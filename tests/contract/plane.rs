@@ -70,7 +70,7 @@ fn a_planing_hull_refuses_what_it_cannot_use() {
     refused(&["planing_hul"], &["planing_hull"]);
     refused(&["planing_hull", "--set", "draught=0.2"], &["draught", "not both"]);
     refused(&["planing_hull", "--set", "trim_deg=0"], &["trim_deg", "0.5"]);
-    refused(&["planing_hull", "--set", "speed=1"], &["speed", "at least 1.879 m/s"]);
+    refused(&["planing_hull", "--set", "speed=1"], &["speed", "at least 1.8793 m/s"]);
     refused(&["planing_hull", "--set", "hull.deadrise_deg=2"], &["hull.deadrise_deg", "4"]);
     refused(&["planing_hull", "--set", "hull.breadht=2"], &["unknown key", "hull.breadth"]);
     refused(&["mercure"], &["mercure"]);

@@ -157,10 +157,38 @@ fn lift_and_its_place_are_those_of_towing_tanks() {
     assert!(without_ends.iter().all(|e| *e > 0.3), "{without_ends:.2?}");
 }
 
-/// Savitsky's formula: C_L without gravity.
-fn savitsky(deadrise: f64, trim: f64, length: f64) -> f64 {
-    let flat = trim.powf(1.1) * 0.0120 * length.sqrt();
-    flat - 0.0065 * deadrise * flat.powf(0.6)
+/// Savitsky's formula: C_L, and the centre of pressure over the wetted length.
+fn savitsky(deadrise: f64, trim: f64, length: f64, froude: f64) -> [f64; 2] {
+    let flat = trim.powf(1.1) * (0.0120 * length.sqrt() + 0.0055 * length.powf(2.5) / froude.powi(2));
+    let centre = 0.75 - 1.0 / (5.21 * (froude / length).powi(2) + 2.39);
+    [flat - 0.0065 * deadrise * flat.powf(0.6), centre]
+}
+
+/// Between the rows of the table, all that has a band is within it.
+#[test]
+fn bands_hold_between_the_rows_of_the_table() {
+    let (mut judged, mut worst) = (0, [0.0_f64; 2]);
+    for deadrise in [10.0, 12.5, 15.0, 17.5, 22.5, 25.0, 27.5, 30.0] {
+        for trim in [4.0, 5.0, 7.0, 8.0, 10.0, 11.0, 12.0] {
+            for length in [1.0, 1.25, 1.5, 1.75, 2.25, 2.5, 2.75, 3.0] {
+                for froude in [4.0, 5.0, 7.0, 10.0, 12.0] {
+                    let hull = hull(deadrise, trim, froude);
+                    let load = planes(&hull, length);
+                    if hull.not_judged(&load.wetted).is_some() {
+                        continue;
+                    }
+                    let [coefficient, centre] = savitsky(deadrise, trim, length, froude);
+                    let errors = [load.lift_coefficient / coefficient - 1.0, load.centre / length - centre];
+                    judged += 1;
+                    worst = [0, 1].map(|k| worst[k].max(errors[k].abs()));
+                    let within = errors[0].abs() < LIFT_BAND && errors[1].abs() < CENTRE_BAND;
+                    assert!(within, "{deadrise}, {trim}, {length}, {froude}: {errors:.3?}");
+                }
+            }
+        }
+    }
+    println!("{judged} hulls, worst {worst:.4?}");
+    assert!(judged > 1500, "{judged}");
 }
 
 /// The water's force on a long prismatic fuselage of the breadth 1 that planes on its end.
@@ -221,7 +249,7 @@ fn prism_lift(deadrise: f64, trim: f64, length: f64, finite_length: bool) -> f64
 fn a_fuselage_that_planes_on_its_end_has_the_lift_of_towing_tanks() {
     for (deadrise, trim) in [(10.0, 4.0), (10.0, 6.0), (15.0, 6.0), (20.0, 6.0), (20.0, 12.0), (30.0, 9.0)] {
         for length in [1.0, 2.0, 3.0] {
-            let reference = savitsky(deadrise, trim, length);
+            let [reference, _] = savitsky(deadrise, trim, length, 1e6);
             let [with, without] = [true, false].map(|f| prism_lift(deadrise, trim, length, f) / reference - 1.0);
             assert!(with.abs() < 0.12, "{deadrise}, {trim}, {length}: {with}, {without}");
             assert!(length > 1.0 || without > 0.3, "{deadrise}, {trim}: {without}");
