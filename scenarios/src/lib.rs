@@ -1,7 +1,7 @@
 //! What stands above one run: the library of the `splashdown` command.
 //!
 //! [`experiments`] makes and judges many runs, [`sweep`] runs a scene at many points in processes of their own, [`ditching`] lands aeroplanes
-//! by their sections, [`export`] writes files for other programs, [`bench`] measures the speed on this machine. [`cli`] parses arguments and
+//! by their sections, [`planing`] tows hulls, [`export`] writes files for other programs, [`bench`] measures the speed on this machine. [`cli`] parses arguments and
 //! prints. Scenes are read by the crate `scene`, run by `run`, and shown by `report`.
 
 mod axis;
@@ -12,6 +12,7 @@ pub mod ditching;
 pub mod experiments;
 pub mod export;
 pub mod live;
+pub mod planing;
 pub mod preflight;
 pub mod reference_page;
 pub mod sweep;

@@ -1,12 +1,13 @@
 //! The reference page of all keys, written from the schemas.
 
-use crate::{ditching, sweep};
+use crate::{ditching, planing, sweep};
 
 /// The page of Markdown.
 pub fn reference_page() -> String {
     let tables = [
         ("Scenes", "`splashdown run`, `check`", scene::schema()),
         ("Landings", "`splashdown ditch`", ditching::schema()),
+        ("Planing hulls", "`splashdown plane`", planing::schema()),
         ("Sweeps", "`splashdown sweep`", sweep::schema()),
     ];
     let head = "# Keys\n\nWritten by `splashdown keywords --markdown`. A value of `auto` means the same as an absent key. A key that has \

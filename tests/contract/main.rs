@@ -15,6 +15,7 @@ mod documents;
 mod endings;
 mod files;
 mod model;
+mod plane;
 mod refusals;
 mod report;
 mod results;

@@ -110,6 +110,16 @@ impl Loads {
         }
     }
 
+    /// EN44: force over V² and ρ, at a draught h [m], of a section by the modified Logvinovich model whose wetted half width grows `growth` times
+    /// as fast as at the speed V [m]; never suction.
+    pub(crate) fn slam_growing(&self, draught: f64, growth: f64) -> f64 {
+        let (section, c) = (&self.section, self.at(draught).wetted);
+        if c <= 0.0 {
+            return 0.0;
+        }
+        mlm(section, c, draught, growth / section.wagner_slope(c), c.min(section.half_breadth()))[0].max(0.0)
+    }
+
     /// Pressure [Pa] on the face at distance x from the plane of symmetry [m], at draught h [m], speed V [m/s] and its rate
     /// dV/dt [m/s²], in water of density ρ [kg/m³]. Von Karman's momentum has none: `None`.
     pub fn pressure(&self, x: f64, draught: f64, speed: f64, rate: f64, density: f64) -> Option<f64> {

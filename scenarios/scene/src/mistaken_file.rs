@@ -16,6 +16,8 @@ pub enum Expected {
     Scene,
     /// A landing.
     Landing,
+    /// A planing hull.
+    PlaningHull,
     /// A sweep.
     Sweep,
 }
@@ -25,6 +27,7 @@ impl Expected {
         match self {
             Expected::Scene => "a scene",
             Expected::Landing => "a landing",
+            Expected::PlaningHull => "a planing hull",
             Expected::Sweep => "a sweep file",
         }
     }
@@ -34,6 +37,7 @@ impl Expected {
         match self {
             Expected::Scene => "scenes",
             Expected::Landing => "landings",
+            Expected::PlaningHull => "planing hulls",
             Expected::Sweep => "sweeps",
         }
     }
@@ -44,6 +48,7 @@ impl Expected {
         match () {
             _ if has(&["grid", "zip", "latin_hypercube"]) || names("scene") || names("ditch") => Some(Expected::Sweep),
             _ if has(&["landing", "aeroplane", "wing"]) => Some(Expected::Landing),
+            _ if has(&["hull", "trim_deg", "wetted_length"]) => Some(Expected::PlaningHull),
             _ if has(&["time", "resolution", "body", "tank"]) => Some(Expected::Scene),
             _ => None,
         }
@@ -84,6 +89,7 @@ pub fn refuse_other_kind(path: &str, text: &str, expected: Expected) -> Result<(
         Some(found) if found == expected => return Ok(()),
         Some(Expected::Sweep) => ("a sweep", format!("`splashdown sweep {path}` runs it")),
         Some(Expected::Landing) => ("a landing", format!("`splashdown ditch {path}` runs it")),
+        Some(Expected::PlaningHull) => ("a planing hull", format!("`splashdown plane {path}` runs it")),
         Some(Expected::Scene) => (
             "a scene",
             format!("`splashdown run {path}` runs it; a sweep over it is a file of its own, with scene = \"FILE\""),

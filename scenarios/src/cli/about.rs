@@ -9,9 +9,9 @@ use run::model_hierarchy::Theory;
 use scene::nearest;
 
 use super::shared::{DONE, Output, SceneArgs, Stop, load, say, write};
-use crate::ditching;
 use crate::preflight::preflight;
 use crate::templates::TEMPLATES;
+use crate::{ditching, planing};
 
 pub(super) fn list(output: &Output) -> Result<u8, Stop> {
     let mut scenes = Vec::new();
@@ -29,12 +29,13 @@ pub(super) fn list(output: &Output) -> Result<u8, Stop> {
 
 #[derive(Args)]
 pub(super) struct ShowArgs {
-    /// Name of a built-in scene or landing.
+    /// Name of a built-in scene, landing or planing hull.
     scene: String,
 }
 
 pub(super) fn show(args: &ShowArgs) -> Result<u8, Stop> {
-    let known: Vec<(&str, &str)> = scene::builtin().iter().chain(ditching::builtin()).copied().collect();
+    let known: Vec<(&str, &str)> =
+        scene::builtin().iter().chain(ditching::builtin()).chain(planing::builtin()).copied().collect();
     let text = named("built-in scene", &args.scene, &known)?;
     say(text.trim_end());
     Ok(DONE)

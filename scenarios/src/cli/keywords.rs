@@ -7,7 +7,7 @@ use settings::{Keyword, Schema};
 
 use super::shared::{DONE, Output, Stop, say};
 use crate::reference_page::reference_page;
-use crate::{ditching, sweep};
+use crate::{ditching, planing, sweep};
 
 #[derive(Args)]
 pub(super) struct KeywordsArgs {
@@ -19,8 +19,13 @@ pub(super) struct KeywordsArgs {
 }
 
 /// The files that have keys.
-fn readers() -> [(&'static str, &'static Schema); 3] {
-    [("scene", scene::schema()), ("landing", ditching::schema()), ("sweep", sweep::schema())]
+fn readers() -> [(&'static str, &'static Schema); 4] {
+    [
+        ("scene", scene::schema()),
+        ("landing", ditching::schema()),
+        ("planing hull", planing::schema()),
+        ("sweep", sweep::schema()),
+    ]
 }
 
 pub(super) fn keywords(output: &Output, args: &KeywordsArgs) -> Result<u8, Stop> {

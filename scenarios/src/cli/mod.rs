@@ -6,6 +6,7 @@ mod ditch;
 mod experiments;
 mod export;
 mod keywords;
+mod plane;
 mod progress;
 mod report;
 mod resume;
@@ -50,7 +51,7 @@ struct Cli {
 enum Command {
     /// List the built-in scenes.
     List,
-    /// Print the text of a built-in scene or landing.
+    /// Print the text of a built-in scene, landing or planing hull.
     Show(about::ShowArgs),
     /// Print a scene to start from: wedge, section, panel or ditching.
     New(about::NewArgs),
@@ -72,6 +73,8 @@ enum Command {
     Sweep(sweep::SweepArgs),
     /// Land an aeroplane on water by its sections (2D+t).
     Ditch(ditch::DitchArgs),
+    /// Compute the steady load of a hull that planes, as in a towing tank.
+    Plane(plane::PlaneArgs),
     /// Measure the speed of this machine and of the steps on it, as ratios in one run.
     #[command(hide = true)]
     Bench(bench::BenchArgs),
@@ -83,7 +86,7 @@ enum Command {
     /// Count how often the error bars of `run --converge` contain an exact value.
     #[command(hide = true)]
     Bands(experiments::BandsArgs),
-    /// Describe every key of scenes and landings, or those that start with a prefix.
+    /// Describe every key of scenes, landings and planing hulls, or those that start with a prefix.
     Keywords(keywords::KeywordsArgs),
     /// Make a scene of INDAT and IPART, the files of the solver of 2010.
     Import(thesis_files::ImportArgs),
@@ -194,6 +197,7 @@ fn start(cli: &Cli, program: &[OsString]) -> Result<u8, Stop> {
         Command::Stability(args) => stability::run_maps(output, args),
         Command::Sweep(args) => sweep::run_sweep(output, args, cli.threads, program),
         Command::Ditch(args) => ditch::run_ditch(output, args),
+        Command::Plane(args) => plane::run_plane(output, args),
         Command::Bench(args) => bench::run_bench(output, args),
         Command::Report(args) => report::make_report(output, args),
         Command::Validate(args) => experiments::run_validation(output, args),

@@ -96,11 +96,20 @@ pub struct Water {
     /// Largest suction: atmospheric less vapour pressure, for a model test times the model's scale [Pa].
     #[cfg_attr(feature = "schema", schemars(range(min = 0.0)))]
     pub largest_suction: f64,
+    /// Lift falls with the finite length of the wetted fuselage where the water leaves it at its end, a transom or step (THEORY EN46).
+    pub finite_length: bool,
 }
 
 impl Default for Water {
     fn default() -> Water {
-        Water { density: 1000.0, gravity: 9.81, friction: 0.003, suction: 1.0, largest_suction: 9.9e4 }
+        Water {
+            density: 1000.0,
+            gravity: 9.81,
+            friction: 0.003,
+            suction: 1.0,
+            largest_suction: 9.9e4,
+            finite_length: true,
+        }
     }
 }
 

@@ -6,6 +6,7 @@ use super::bending::Bending;
 use super::landing::Landing;
 use super::parts::PointForce;
 use super::strip::{Bottom, ImpactingPart, KeelPoint, Strip, along};
+use crate::planing::finite_length;
 
 /// Rounds in which it is found which strips press and which pull.
 const MOST_ROUNDS: usize = 40;
@@ -89,6 +90,10 @@ impl Landing<'_> {
         let bottom = |hull| Bottom { hull, centre: craft.centre, bending, swell };
         let mut bodies = vec![self.strips(&bottom(self.hull), &self.edges(), 1.0, now)];
         bodies[0].retain(|strip| !craft.is_open(strip.wet.x, lost));
+        if water.finite_length && self.planes_on_its_end(&bottom(self.hull), now) {
+            let share = length_share(&bodies[0]);
+            bodies[0] = bodies[0].iter().map(|strip| strip.with_share(share)).collect();
+        }
         bodies.extend(craft.nacelles.iter().zip(&lost[craft.surfaces.len()..]).map(|(nacelle, lost)| match lost {
             true => Vec::new(),
             false => self.strips(&bottom(&nacelle.hull), &nacelle.edges(), nacelle.number, now),
@@ -129,6 +134,13 @@ impl Landing<'_> {
         ends.windows(2).filter_map(cut).map(|strip| strip.times(number)).collect()
     }
 
+    /// Does the end of the fuselage go down through the water, which leaves it there?
+    fn planes_on_its_end(&self, bottom: &Bottom<'_>, now: &Attitude) -> bool {
+        let stations = self.hull.fuselage().stations();
+        let end = KeelPoint::new(bottom, now, stations[stations.len() - 1].x);
+        end.draught > 0.0 && end.speed > 0.0
+    }
+
     /// Accelerations under the `given` forces and those of the entering strips, and these [N].
     fn accelerations(&self, entering: &[ImpactingPart], given: [f64; FREEDOMS]) -> ([f64; FREEDOMS], Vec<f64>) {
         let Water { suction, largest_suction, .. } = self.water;
@@ -161,6 +173,13 @@ impl Landing<'_> {
         });
         (acceleration, forces.collect())
     }
+}
+
+/// EN46: share of the load that a finite wetted length leaves, of the wetted area over the square of the largest wetted breadth.
+fn length_share(strips: &[Strip]) -> f64 {
+    let entering = || strips.iter().filter_map(|strip| strip.entry);
+    let breadth = entering().map(|e| e.breadth()).fold(0.0, f64::max);
+    finite_length(entering().map(|e| e.area).sum::<f64>() / (breadth * breadth))
 }
 
 type Matrix = [[f64; FREEDOMS]; FREEDOMS];

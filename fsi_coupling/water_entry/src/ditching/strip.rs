@@ -179,6 +179,12 @@ impl Strip {
         Strip { buoyancy: self.buoyancy.map(|force| number * force), entry, ..self }
     }
 
+    /// EN46: with a share of its load and of its added mass.
+    pub(super) fn with_share(self, share: f64) -> Strip {
+        let entry = self.entry.map(|e| ImpactingPart { pressing: share * e.pressing, mass: share * e.mass, ..e });
+        Strip { entry, ..self }
+    }
+
     /// EN19: force and moment of the friction on its entering part; `of_square` is ½ρ C_f [kg/m³].
     pub fn rubbing(&self, of_square: f64) -> [f64; 3] {
         self.entry.map_or([0.0; 3], |entry| entry.friction(of_square))
@@ -192,6 +198,11 @@ impl Strip {
 }
 
 impl ImpactingPart {
+    /// Breadth that is wet [m].
+    pub(super) fn breadth(&self) -> f64 {
+        self.area / (self.length * (1.0 + self.at.slope * self.at.slope).sqrt())
+    }
+
     /// EN17: its load [N] at accelerations of the aeroplane [m/s², m/s², rad/s², m/s²].
     pub fn force(&self, acceleration: [f64; FREEDOMS]) -> f64 {
         self.pressing - self.mass * along(&self.lever, &acceleration)

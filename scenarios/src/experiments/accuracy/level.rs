@@ -5,12 +5,11 @@ use std::path::{Path, PathBuf};
 
 use run::error_bar::ErrorBars;
 use run::summary::Summary;
-use run::{Resumable, run};
+use run::{Checkpoints, Resumable, RunOptions, run};
 use scene::Loaded;
 use scene::vocabulary::{Quantity, ResultId, ResultName, Results, Status};
 use serde::Deserialize;
 
-use super::options;
 use crate::experiments::ExperimentError;
 
 /// Spacings that differ by less are the same [-].
@@ -94,5 +93,23 @@ impl Level {
             [(ResultName::PeakForce, "report.bandwidth"), (ResultName::PeakPressure, "report.pressure_bandwidth")];
         let set = |(name, key): (ResultName, &str)| Some(format!("{key}={:?}", self.results.get(name)?.cutoff_hz?));
         keys.into_iter().filter_map(set).collect()
+    }
+}
+
+/// Options of a run that can be continued.
+fn options<'a>(
+    folder: PathBuf,
+    loaded: &Loaded,
+    bars: Option<&'a (dyn Fn(&Summary) -> ErrorBars + Sync)>,
+) -> RunOptions<'a> {
+    RunOptions {
+        out: Some(folder),
+        force: true,
+        without_log: true,
+        page: Some(report::page_of_run),
+        warnings: loaded.warnings.clone(),
+        error_bars: bars,
+        checkpoints: bars.is_none().then(Checkpoints::default),
+        ..RunOptions::default()
     }
 }

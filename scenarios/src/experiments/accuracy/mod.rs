@@ -12,7 +12,6 @@ use std::path::PathBuf;
 use run::error_bar::ErrorBars;
 use run::model_hierarchy::assess;
 use run::summary::Summary;
-use run::{Checkpoints, RunOptions};
 use scene::vocabulary::{Quantity, ResultId, ResultName, Results};
 use scene::{Loaded, Scene};
 use serde::Serialize;
@@ -208,22 +207,4 @@ fn cost(scene: &Scene) -> f64 {
 
 fn folder(request: &Request, spacing: f64) -> PathBuf {
     request.out.join(format!("spacing_{spacing:.6}"))
-}
-
-/// Options of a run that can be continued.
-fn options<'a>(
-    folder: PathBuf,
-    loaded: &Loaded,
-    bars: Option<&'a (dyn Fn(&Summary) -> ErrorBars + Sync)>,
-) -> RunOptions<'a> {
-    RunOptions {
-        out: Some(folder),
-        force: true,
-        without_log: true,
-        page: Some(report::page_of_run),
-        warnings: loaded.warnings.clone(),
-        error_bars: bars,
-        checkpoints: bars.is_none().then(Checkpoints::default),
-        ..RunOptions::default()
-    }
 }
