@@ -63,10 +63,10 @@ impl Pedigree {
 /// Where a point lies: what its run was.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Setup {
-    /// Deadrise [deg], of bodies with straight faces that enter.
+    /// Deadrise [deg], of bodies with straight faces that enter, and of planing hulls.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub deadrise_deg: Option<f64>,
-    /// Speed at contact [m/s], of bodies that enter.
+    /// Speed at contact [m/s], of bodies that enter; speed of a planing hull.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub speed: Option<f64>,
     /// Spacings in the draught at the peak, or at the end of the run where that is less, of bodies that enter a water of particles [-].

@@ -74,9 +74,11 @@ const TABLE: [(Quantity, &str); 20] = [
 ];
 
 /// Parts of a number's path, or of a comparison's text, and what they say; the first row that fits counts.
-const WORDS: [(&str, Quantity); 34] = [
-    ("planing/lift", Quantity::PlaningLift),
-    ("planing/centre_of_pressure", Quantity::CentreOfPressure),
+const WORDS: [(&str, Quantity); 36] = [
+    ("lift_coefficient", Quantity::PlaningLift),
+    ("center_of_pressure", Quantity::CentreOfPressure),
+    ("deceleration_g", Quantity::LandingAcceleration),
+    ("accelerometers", Quantity::LandingAcceleration),
     ("drift", Quantity::Drift),
     ("wet_period", Quantity::WetFrequency),
     ("wet_frequency", Quantity::WetFrequency),
@@ -164,6 +166,8 @@ mod tests {
             ("plate.at50.deflection_m, peak", Some(Quantity::Deflection)),
             ("peaks/plate.at0.deflection_m/time_s", Some(Quantity::WetFrequency)),
             ("cylinder.y_m", Some(Quantity::Position)),
+            ("accelerometers/0/normal_g/value", Some(Quantity::LandingAcceleration)),
+            ("center_of_pressure_m/value", Some(Quantity::CentreOfPressure)),
             ("audit/momentum", None),
             ("rest/center_rise_m", None),
         ] {

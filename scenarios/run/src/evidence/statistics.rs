@@ -37,9 +37,10 @@ impl Statistics {
         let known: Vec<f64> = points.iter().filter_map(|p| p.reference.uncertainty).collect();
         let reference =
             (!known.is_empty()).then(|| (known.iter().map(|u| u * u).sum::<f64>() / known.len() as f64).sqrt());
-        let scattered = (total.powi(2) - reference.unwrap_or(0.0).powi(2)).max(0.0).sqrt();
-        let scatter = (logs.len() >= LEAST_POINTS).then_some(scattered);
-        let bias = (mean + 0.5 * scatter.map_or(0.0, |s| s * s - reference.unwrap_or(0.0).powi(2))).exp();
+        let of_reference = reference.unwrap_or(0.0).powi(2).min(0.5 * total.powi(2));
+        let of_model = total.powi(2) - of_reference;
+        let scatter = (logs.len() >= LEAST_POINTS).then_some(of_model.sqrt());
+        let bias = (mean + scatter.map_or(0.0, |_| 0.5 * (of_model - of_reference))).exp();
         let deviation = |k: usize| (points[k].ratio - 1.0).abs();
         let worst = (0..points.len()).max_by(|a, b| deviation(*a).total_cmp(&deviation(*b)))?;
         let mut cases: Vec<&str> = points.iter().map(|p| p.case.as_str()).collect();
@@ -117,6 +118,15 @@ mod tests {
         let factor = found.not_exceeded().expect("many");
         let held = (0..400).filter(|k| factor * 1.1 * (0.05 * quantile(k / 20)).exp() >= 1.0).count();
         assert!((370..=390).contains(&held), "{held} of 400");
+    }
+
+    /// References that are said to scatter more than all errors do not make the model exact.
+    #[test]
+    fn the_model_scatters_at_least_as_much_as_its_references() {
+        let points: Vec<Point> = (0..9).map(|k| point(1.0 + 0.01 * (f64::from(k) - 4.0), Some(0.05))).collect();
+        let found = Statistics::of(&points.iter().collect::<Vec<_>>()).expect("points");
+        let total = 0.01 * (60.0_f64 / 8.0).sqrt();
+        assert!((found.scatter.expect("many") / (total * 0.5_f64.sqrt()) - 1.0).abs() < 1e-2, "{found:?}");
     }
 
     #[test]

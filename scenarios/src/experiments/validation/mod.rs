@@ -22,7 +22,7 @@ use serde::{Deserialize, Serialize};
 use super::catalogue::{self, Catalogue};
 use super::runs::RunRecord;
 use super::{ExperimentError, yes};
-use crate::ditching;
+use crate::{ditching, planing};
 
 /// The model of landings, as points name it.
 const LANDING: &str = "strips";
@@ -47,6 +47,9 @@ pub struct Case {
     /// Landing instead of a scene, likewise.
     #[serde(default)]
     pub ditch: String,
+    /// Planing hull instead of a scene, likewise.
+    #[serde(default)]
+    pub plane: String,
     /// Overrides, as for `--set`.
     #[serde(default)]
     pub set: Vec<String>,
@@ -154,14 +157,18 @@ impl catalogue::Case for Case {
 /// The scene is wrong, or its run could not be made.
 pub fn validate(case: &Case, out: Option<&PathBuf>) -> Result<Vec<Line>, ExperimentError> {
     let out = out.map(|dir| dir.join(&case.name));
-    let mut lines = if case.ditch.is_empty() { of_scene(case, out)? } else { of_landing(case, &[], &case.expect)? };
+    let without_fluid = |further: &[String], expect: &[Expect]| match case.plane.is_empty() {
+        true => of_landing(case, further, expect),
+        false => of_hull(case, further, expect),
+    };
+    let is_scene = case.ditch.is_empty() && case.plane.is_empty();
+    let mut lines = if is_scene { of_scene(case, out)? } else { without_fluid(&[], &case.expect)? };
     for variant in &case.variant {
-        lines.extend(match case.ditch.is_empty() {
-            true => {
-                let (scene, run) = run_with(case, &variant.set, None)?;
-                judged(&variant.expect, &scene, &run)
-            }
-            false => of_landing(case, &variant.set, &variant.expect)?,
+        lines.extend(if is_scene {
+            let (scene, run) = run_with(case, &variant.set, None)?;
+            judged(&variant.expect, &scene, &run)
+        } else {
+            without_fluid(&variant.set, &variant.expect)?
         });
     }
     for line in &mut lines {
@@ -191,6 +198,16 @@ fn of_landing(case: &Case, further: &[String], expect: &[Expect]) -> Result<Vec<
     let numbers = Numbers::of(&landed);
     let mut lines: Vec<Line> = expect.iter().map(|e| judge(e, &numbers, LANDING, Setup::default())).collect();
     ended(&mut lines, landed.wall_time_s, landed.status.is_completed());
+    Ok(lines)
+}
+
+fn of_hull(case: &Case, further: &[String], expect: &[Expect]) -> Result<Vec<Line>, ExperimentError> {
+    let scene = planing::load(&case.plane, &[&case.set, further].concat())?;
+    let towed = planing::tow(&scene).summary;
+    let numbers = Numbers::of(&towed);
+    let setup = Setup { deadrise_deg: Some(scene.hull.deadrise_deg), speed: Some(towed.speed_m_per_s), spacings: None };
+    let mut lines: Vec<Line> = expect.iter().map(|e| judge(e, &numbers, towed.model, setup)).collect();
+    ended(&mut lines, 0.0, towed.status.is_completed());
     Ok(lines)
 }
 

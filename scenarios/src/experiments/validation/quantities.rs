@@ -3,31 +3,24 @@
 use report::Table;
 use run::evidence::{LEAST_POINTS, Nature, Point, Quantity, Statistics};
 use settings::significant;
+use water_entry::EntryModel;
 
 /// Quantities that are asked for and have few points, or none: why.
-const FEW: [(Quantity, &str); 4] = [
+const FEW: [(Quantity, &str); 2] = [
     (Quantity::Attitude, "no measured roll or trim of a section is in a case"),
     (Quantity::Drift, "the mean force of waves is not yet right"),
-    (Quantity::PlaningLift, "no case"),
-    (Quantity::CentreOfPressure, "no case"),
 ];
 
 /// The pages' tables as Markdown.
 pub fn page(points: &[Point]) -> String {
     let all: Vec<&Point> = points.iter().collect();
     let of_nature = |nature| all.iter().copied().filter(|p| p.reference.nature == nature).collect::<Vec<_>>();
-    let mut text = format!(
-        "## All references\n\n{}\n",
-        table(&all, |points| {
-            let (low, high) = range(points, |p| p.setup.deadrise_deg);
-            let deadrise = span(low, high, "°");
-            let (low, high) = range(points, |p| p.setup.speed);
-            let speed = span(low, high, " m/s");
-            let (low, high) = range(points, |p| p.setup.spacings);
-            let spacings = span(low, high, "");
-            vec![deadrise, speed, spacings]
-        })
-    );
+    let is_particles = |p: &&Point| EntryModel::ALL.iter().any(|model| model.name() == p.model && !model.is_theory());
+    let (particles, others): (Vec<&Point>, Vec<&Point>) = all.iter().partition(|p| is_particles(p));
+    let mut text = String::new();
+    for (title, points) in [("Particles", &particles), ("Theories, strips, boundary elements", &others)] {
+        text += &format!("## {title}\n\n{}\n", table(points, range_of_validity));
+    }
     for nature in Nature::ALL {
         let points = of_nature(nature);
         text += &format!("## References: {}\n\n{}\n", nature.title(), table(&points, |_| Vec::new()));
@@ -58,6 +51,16 @@ fn validated(points: &[&Point]) -> String {
         "## Validation uncertainty\n\nOf {} points with known u_num and u_D, {within} have an error |E| of at most 2 u_val (ASME V&V 20).\n",
         known.len()
     )
+}
+
+/// Deadrises, speeds and spacings in the draught, as cells.
+fn range_of_validity(points: &[&Point]) -> Vec<String> {
+    let (low, high) = range(points, |p| p.setup.deadrise_deg);
+    let deadrise = span(low, high, "°");
+    let (low, high) = range(points, |p| p.setup.speed);
+    let speed = span(low, high, " m/s");
+    let (low, high) = range(points, |p| p.setup.spacings);
+    vec![deadrise, speed, span(low, high, "")]
 }
 
 fn range(points: &[&Point], of: fn(&Point) -> Option<f64>) -> (f64, f64) {
