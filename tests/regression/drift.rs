@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use scenarios::experiments::validation::drift::State;
+use scenarios::experiments::validation::drift::{Changed, State};
 use scenarios::experiments::validation::{CASES, validate};
 
 /// Cases of a few seconds: weakly compressible, incompressible, a panel, a landing.
@@ -23,13 +23,12 @@ fn a_number_that_changed_stands_in_the_changelog() {
     let cases = CASES.select(&SHORT.map(String::from)).expect("built-in cases");
     let lines: Vec<_> = cases.iter().flat_map(|case| validate(case, None).expect("a run")).collect();
     let now = State::now(&lines);
-    let known = stored.numbers.iter().filter(|(case, ..)| SHORT.contains(&case.as_str())).count();
     assert_eq!(
-        known,
-        now.numbers.len(),
+        stored.count(&SHORT),
+        now.count(&SHORT),
         "docs/src/validation/cases.md has other rows: run `splashdown validate --all --table`"
     );
-    for (case, quantity, then, now) in now.changed(&stored) {
+    for Changed { case, quantity, values: [then, now] } in now.changed(&stored) {
         let moved = (now - then).abs() > CHANGED * then.abs() && !quantity.starts_with("audit/");
         assert!(
             !moved || changelog.contains(&format!("`{case}`")),

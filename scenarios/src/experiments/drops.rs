@@ -3,6 +3,8 @@
 //! A force is that of the impact's own bandwidth: where the spacing resolves less, what the longer averaging takes off is within the band
 //! (THEORY GE19).
 
+use std::f64::consts::PI;
+
 use run::error_bar::ErrorBar;
 use run::observers::Series;
 use run::{RunOptions, run};
@@ -15,13 +17,14 @@ use super::coverage::Line;
 use super::runs::{run_to_end, scene_with};
 
 /// Ranges that drops are drawn from, evenly in the logarithm: breadth [m], speed [m/s], mass over ρ₀ breadth² [-], deadrise [deg], radius of an
-/// arc over its breadth [-], spacings in the draught at the peak [-].
+/// arc over its breadth [-], spacings in the draught at the peak of a wedge and in the radius of an arc [-].
 const BREADTH: [f64; 2] = [0.3, 3.0];
 const SPEED: [f64; 2] = [1.5, 9.0];
 const MASS: [f64; 2] = [0.15, 1.2];
 const DEADRISE: [f64; 2] = [12.0, 44.0];
 const RADIUS: [f64; 2] = [0.6, 1.5];
-const SPACINGS: [f64; 2] = [8.0, 36.0];
+const SPACINGS: [f64; 2] = [8.0, 30.0];
+const SPACINGS_OF_RADIUS: [f64; 2] = [40.0, 160.0];
 /// End of a run over the time in which the spray root would reach the chines without being slowed (Wagner 1932) [-].
 const END: [f64; 2] = [0.7, 1.3];
 /// Solvers, in turn.
@@ -41,22 +44,18 @@ pub type Drop = (&'static str, Vec<String>);
 pub fn draw(seed: u64, k: usize) -> Drop {
     let mut random = SplitMix64(seed.wrapping_mul(1_000_003).wrapping_add(k as u64));
     let mut of = |range| between(&mut random, range);
-    let (breadth, speed, mass, spacings, end) = (of(BREADTH), of(SPEED), of(MASS), of(SPACINGS), of(END));
+    let (breadth, speed, mass, end) = (of(BREADTH), of(SPEED), of(MASS), of(END));
     let (deadrise, ratio) = (of(DEADRISE), of(RADIUS));
     let slope = deadrise.to_radians().tan();
     let radius = ratio * breadth;
     let is_arc = k % ARCS == ARCS - 1;
-    // draught at which the spray root is at the chines, and at which the water's mass is a fifth of the body's (GE22)
-    let (chines, of_mass) = match is_arc {
-        true => {
-            (breadth * breadth / (16.0 * radius), mass * breadth * breadth / (10.0 * std::f64::consts::PI * radius))
-        }
-        false => {
-            let added = std::f64::consts::FRAC_PI_2 * (std::f64::consts::FRAC_PI_2 / slope).powi(2);
-            (slope * breadth / std::f64::consts::PI, (mass * breadth * breadth / (5.0 * added)).sqrt())
-        }
+    // draught at which the spray root is at the chines, and at which a wedge has the largest force (GE22)
+    let chines = if is_arc { breadth * breadth / (16.0 * radius) } else { slope * breadth / PI };
+    let added = 0.5 * PI * (0.5 * PI / slope).powi(2);
+    let spacing = match is_arc {
+        true => radius / of(SPACINGS_OF_RADIUS),
+        false => chines.min((mass * breadth * breadth / (5.0 * added)).sqrt()) / of(SPACINGS),
     };
-    let spacing = chines.min(of_mass) / spacings;
     let shape = match is_arc {
         true => format!("body.radius={radius:.5}"),
         false => format!("body.deadrise_deg={deadrise:.3}"),

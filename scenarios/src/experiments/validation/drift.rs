@@ -15,13 +15,32 @@ const SAME: f64 = 2e-5;
 /// Changes of the deviation from the reference, or of the number, from which a number is listed [-].
 const LISTED: f64 = 1e-3;
 
+/// Which number: case, quantity, its reference, and which of several such.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Key {
+    case: String,
+    quantity: String,
+    reference: String,
+    k: usize,
+}
+
 /// The numbers of a state.
 #[derive(Clone, Debug, PartialEq)]
 pub struct State {
     /// Its name: commit and date.
     pub name: String,
-    /// Case, quantity, which of several such numbers, value.
-    pub numbers: Vec<(String, String, usize, f64)>,
+    numbers: Vec<(Key, f64)>,
+}
+
+/// A number that two states have.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Changed<'s> {
+    /// Its case.
+    pub case: &'s str,
+    /// Its quantity.
+    pub quantity: &'s str,
+    /// Its value in the earlier state and in this one.
+    pub values: [f64; 2],
 }
 
 impl State {
@@ -32,10 +51,10 @@ impl State {
         let mut state = State { name: name.into(), numbers: Vec::new() };
         for line in markdown.lines().filter(|line| line.starts_with("| ")) {
             let cells: Vec<&str> = line.split('|').map(str::trim).collect();
-            if let [_, case, quantity, ours, ..] = cells[..]
+            if let [_, case, quantity, ours, reference, ..] = cells[..]
                 && let Ok(value) = ours.parse()
             {
-                state.push(case, quantity, value);
+                state.push([case, quantity, reference], value);
             }
         }
         state
@@ -45,27 +64,35 @@ impl State {
     pub fn now(lines: &[Line]) -> State {
         let mut state = State { name: "now".into(), numbers: Vec::new() };
         for line in lines {
-            state.push(&line.case, &line.quantity, number(line.ours).parse().unwrap_or(f64::NAN));
+            state.push([&line.case, &line.quantity, &line.theirs], number(line.ours).parse().unwrap_or(f64::NAN));
         }
         state
     }
 
-    fn push(&mut self, case: &str, quantity: &str, value: f64) {
-        let same = self.numbers.iter().filter(|(c, q, ..)| c == case && q == quantity).count();
-        self.numbers.push((case.into(), quantity.into(), same, value));
+    /// How many numbers the cases of these names have.
+    pub fn count(&self, cases: &[&str]) -> usize {
+        self.numbers.iter().filter(|(key, _)| cases.contains(&key.case.as_str())).count()
     }
 
-    fn get(&self, (case, quantity, k): (&str, &str, usize)) -> Option<f64> {
-        let is_own = |(c, q, n, _): &&(String, String, usize, f64)| (c.as_str(), q.as_str(), *n) == (case, quantity, k);
-        self.numbers.iter().find(is_own).map(|row| row.3)
+    fn push(&mut self, [case, quantity, reference]: [&str; 3], value: f64) {
+        let mut key = Key { case: case.into(), quantity: quantity.into(), reference: reference.into(), k: 0 };
+        while self.get(&key).is_some() {
+            key.k += 1;
+        }
+        self.numbers.push((key, value));
     }
 
-    /// The numbers of both states that differ: case, quantity, theirs, ours. Residues that are 0 to rounding do not count.
-    pub fn changed<'s>(&'s self, earlier: &State) -> Vec<(&'s str, &'s str, f64, f64)> {
+    fn get(&self, key: &Key) -> Option<f64> {
+        self.numbers.iter().find(|(known, _)| known == key).map(|row| row.1)
+    }
+
+    /// The numbers of both states that differ. Residues that are 0 to rounding do not count.
+    pub fn changed<'s>(&'s self, earlier: &State) -> Vec<Changed<'s>> {
         let differs = |a: f64, b: f64| (a - b).abs() > SAME * a.abs().max(b.abs()) && a.abs().max(b.abs()) > 1e-9;
-        let pair = |(case, quantity, k, ours): &'s (String, String, usize, f64)| {
-            let theirs = earlier.get((case, quantity, *k))?;
-            differs(theirs, *ours).then_some((case.as_str(), quantity.as_str(), theirs, *ours))
+        let pair = |(key, ours): &'s (Key, f64)| {
+            let theirs = earlier.get(key)?;
+            let changed = Changed { case: &key.case, quantity: &key.quantity, values: [theirs, *ours] };
+            differs(theirs, *ours).then_some(changed)
         };
         self.numbers.iter().filter_map(pair).collect()
     }
@@ -83,9 +110,9 @@ pub fn page(lines: &[Line]) -> String {
     let (now, stored) = (State::now(lines), states());
     let mut rows = Vec::new();
     let (mut known, mut same) = (0, 0);
-    for (line, (case, quantity, k, ours)) in lines.iter().zip(&now.numbers) {
+    for (line, (key, ours)) in lines.iter().zip(&now.numbers) {
         let Some(reference) = line.theirs.parse::<f64>().ok().filter(|r| *r != 0.0) else { continue };
-        let values: Vec<Option<f64>> = stored.iter().map(|state| state.get((case, quantity, *k))).collect();
+        let values: Vec<Option<f64>> = stored.iter().map(|state| state.get(key)).collect();
         let all: Vec<f64> = values.iter().flatten().copied().chain([*ours]).collect();
         known += usize::from(all.len() > 1);
         let [low, high] = [f64::min, f64::max].map(|pick| all.iter().copied().reduce(pick).unwrap_or_default());
@@ -95,7 +122,7 @@ pub fn page(lines: &[Line]) -> String {
         }
         let of =
             |value: Option<f64>| value.map_or("–".into(), |v| format!("{:+.2} %", 100.0 * (v / reference - 1.0)));
-        let mut row = vec![case.clone(), quantity.clone(), line.theirs.clone()];
+        let mut row = vec![key.case.clone(), key.quantity.clone(), key.reference.clone()];
         row.extend(values.into_iter().chain([Some(*ours)]).map(of));
         rows.push(row);
     }
@@ -117,12 +144,12 @@ mod tests {
     fn a_changed_number_is_found_among_numbers_of_one_name() {
         let table = |second: &str| {
             State::read(&format!(
-                "# Validation, a of b\n\n| case | quantity | ours |\n|---|---|---|\n| w | f | 1.5 |\n| w | f | {second} |\n"
+                "# Validation, a of b\n\n| case | quantity | ours | reference |\n|---|---|---|---|\n| w | f | 1.5 | 2 |\n| w | f | {second} | 2 |\n"
             ))
         };
         let (one, other) = (table("2.5"), table("2.501"));
         assert_eq!((one.name.as_str(), one.numbers.len()), ("a of b", 2));
-        assert_eq!(other.changed(&one), [("w", "f", 2.5, 2.501)]);
+        assert_eq!(other.changed(&one), [Changed { case: "w", quantity: "f", values: [2.5, 2.501] }]);
         assert!(one.changed(&one).is_empty());
     }
 
