@@ -144,8 +144,13 @@ impl Table {
 pub fn builtin() -> Vec<(String, Vec<String>)> {
     let mut names = builtin_names();
     names.sort();
-    let about = |name: &String| Table::load(name).map_or(Vec::new(), |table| table.about);
     names.into_iter().map(|name| (name.clone(), about(&name))).collect()
+}
+
+/// Header lines of a built-in table, also of one with words in its cells; none of another name.
+pub fn about(name: &str) -> Vec<String> {
+    let text = TABLES.get_file(name).and_then(|f| f.contents_utf8()).unwrap_or_default();
+    text.lines().filter_map(|line| line.strip_prefix('#')).map(|line| line.trim().to_string()).collect()
 }
 
 fn builtin_names() -> Vec<String> {

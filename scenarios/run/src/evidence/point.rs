@@ -1,6 +1,6 @@
 //! A number of the program beside a reference, and where the reference comes from.
 
-use scene::reference::Table;
+use scene::reference::about;
 use scene::{Bottom, Scene};
 use serde::{Deserialize, Serialize};
 
@@ -47,7 +47,7 @@ impl Pedigree {
     /// Of a table, from the lines `nature:` and `uncertainty:` of its header; of a source that is no table, as of an exact solution.
     pub fn of(source: &str) -> Pedigree {
         let path = source.split([',', ';', ' ']).next().unwrap_or_default();
-        let about = Table::load(path).map_or(Vec::new(), |table| table.about);
+        let about = about(path);
         let line = |key: &str| about.iter().find_map(|line| line.strip_prefix(key)).map(str::trim);
         let nature = match line("nature:") {
             Some(words) if words.starts_with("experiment") => Nature::Experiment,

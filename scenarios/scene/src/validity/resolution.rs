@@ -14,9 +14,9 @@ pub const PEAK_SPACINGS: f64 = 17.0;
 /// Bands of a peak pressure by the spacings across the length with 90 % of the peak: least length, share of the pressure [-].
 const PRESSURE_BANDS: [(f64, f64); 2] = [(PEAK_SPACINGS, 0.04), (5.0, 0.25)];
 /// Band of a peak force times its draught in spacings, weakly compressible and incompressible, shares of the force [-].
-const FORCE_BAND: [f64; 2] = [0.5, 1.0];
+const FORCE_BAND: [f64; 2] = [0.4, 1.0];
 /// The least band of a peak force, a share of it [-].
-pub const LEAST_FORCE_BAND: f64 = 0.025;
+pub const LEAST_FORCE_BAND: f64 = 0.02;
 /// The same of an impulse, of wedges and of round bottoms, each weakly compressible and incompressible, shares of the impulse [-].
 const IMPULSE_BAND: [[f64; 2]; 2] = [[0.55, 1.1], [0.75, 1.5]];
 const LEAST_IMPULSE_BAND: [f64; 2] = [0.015, 0.025];
@@ -145,7 +145,7 @@ mod tests {
                 .impulse_share(&entry(75.0))
                 .is_err_and(|why| why.text.contains("m would do for resolution.spacing"))
         );
-        assert!(at(0.5, false).force_share(&entry(30.0)).is_ok_and(|share| (share - 0.05).abs() < 1e-12));
+        assert!(at(0.5, false).force_share(&entry(30.0)).is_ok_and(|share| (share - 0.04).abs() < 1e-12));
         // an oblique drop of 31 degrees at 9 spacings: 10.7 % below that at a third of its spacing
         assert!(at(0.45, true).force_share(&entry(31.0)).is_ok_and(|share| share > 0.107));
         assert!(at(0.2, false).impulse_share(&entry(30.0)).is_err_and(|why| why.text.contains("4 spacings")));
