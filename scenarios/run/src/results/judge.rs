@@ -4,7 +4,7 @@ use scene::validity::air::{air_pulse, flat_finding};
 use scene::validity::compressibility::lost_beyond;
 use scene::validity::first_contact::{RoundContact, wet_start};
 use scene::validity::panels::{StressPeak, panel_results};
-use scene::validity::resolution::{Depth, LEAST_DRAUGHT, LEAST_FORCE_BAND, pressure_share};
+use scene::validity::resolution::{Depth, LEAST_DRAUGHT, pressure_share};
 use scene::validity::tension::with_tension;
 use scene::vocabulary::{Doubt, Doubts, Finding, Named, Quantity, ResultName, Results, Verdict, WIDE, Why};
 use scene::{Bottom, Entry, Scene, Unusual, limit_of_forces, resonant_panels, share_of_walls};
@@ -15,6 +15,8 @@ use super::STANDARD_GRAVITY;
 use super::averaging::{Averaging, CUTOFF};
 use super::running_integral::{Extreme, RunningIntegral};
 
+/// Band of the acceleration of a body that still falls, a share of gravity [-].
+const FALL_BAND: f64 = 0.03;
 /// Factor in a round bottom's band on the drop of its peak when the averaging time is doubled (GE20) [-].
 const ROUND_SMOOTHING: f64 = 1.5;
 /// Largest ratio of a single step's value to the mean [-].
@@ -110,11 +112,11 @@ impl Judge {
         let known = force.as_ref().is_some_and(|(quantity, _)| quantity.verdict == Verdict::Resolved);
         let by_acceleration = |peak: Extreme, raw: Extreme| {
             let dry = curves.draught_at(peak.time) <= self.spacing;
-            let falls = dry && self.gravity > 0.0 && peak.value <= (1.0 + LEAST_FORCE_BAND) * self.gravity; // before the water carries it
+            let falls = dry && self.gravity > 0.0 && peak.value <= (1.0 + FALL_BAND) * self.gravity; // before the water carries it
             match (falls, known) {
                 (true, true) => {
                     let why = "the largest acceleration is that of free fall before contact; the water decelerates the body by less than that";
-                    (Verdict::Resolved, Some(LEAST_FORCE_BAND), Some(why.into()))
+                    (Verdict::Resolved, Some(FALL_BAND), Some(why.into()))
                 }
                 (true, false) => {
                     let why = "the largest acceleration is that of free fall before contact, and the force of the water is not resolved";

@@ -16,7 +16,7 @@ const PRESSURE_BANDS: [(f64, f64); 2] = [(PEAK_SPACINGS, 0.04), (5.0, 0.25)];
 /// Band of a peak force times its draught in spacings, weakly compressible and incompressible, shares of the force [-].
 const FORCE_BAND: [f64; 2] = [0.4, 1.0];
 /// The least band of a peak force, a share of it [-].
-pub const LEAST_FORCE_BAND: f64 = 0.02;
+const LEAST_FORCE_BAND: f64 = 0.02;
 /// The same of an impulse, of wedges and of round bottoms, each weakly compressible and incompressible, shares of the impulse [-].
 const IMPULSE_BAND: [[f64; 2]; 2] = [[0.55, 1.1], [0.75, 1.5]];
 const LEAST_IMPULSE_BAND: [f64; 2] = [0.015, 0.025];
