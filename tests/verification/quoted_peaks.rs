@@ -138,3 +138,31 @@ fn a_key_of_the_method_that_no_band_was_measured_with_takes_the_band() {
         without.doubts
     );
 }
+
+/// The peak of a theory is averaged as `report.bandwidth` asks, as that of particles is.
+#[test]
+fn a_theory_quotes_the_mean_that_the_scene_asks_for() {
+    let of = |sets: &[&str]| peak_force(&summary("wedge", &[&["model=boundary_element"], sets].concat()));
+    let (free, wide, narrow) = (of(&[]), of(&["report.bandwidth=150"]), of(&["report.bandwidth=40"]));
+    assert_eq!((free.cutoff_hz, wide.cutoff_hz, narrow.cutoff_hz), (None, Some(150.0), Some(40.0)));
+    assert!(narrow.value < wide.value && wide.value < free.value && wide.raw == free.value, "{free:?} {wide:?}");
+}
+
+/// Narrow round bottoms (b/R < 1.2) wet their chines before water leaves the sides: air comes in there too, so that the impulse is that of
+/// boundary elements; where water clung to them it was 11 % low. The projection's is low by 2 to 5 %, within its band.
+#[test]
+fn water_leaves_the_chines_of_a_narrow_round_bottom() {
+    let section = ["body.radius=0.885", "body.breadth=0.855", "body.side_height=0.285"];
+    let drop = ["body.velocity=[0.0, -3.04]", "time.end=0.0408", "resolution.spacing=0.006"];
+    let impulse = |more: &[&str]| {
+        let summary = summary("arc_constant", &[&section[..], &drop, more].concat());
+        summary.results.get(scene::vocabulary::ResultName::Impulse).expect("a body")
+    };
+    let exact = impulse(&["model=boundary_element"]).value;
+    for (solver, within) in [("solver=weakly_compressible", 0.02), ("solver=incompressible", 0.06)] {
+        let found = impulse(&[solver]);
+        let error = found.value / exact - 1.0;
+        assert!(error.abs() < within, "{solver}: {error}");
+        assert!((found.value - exact).abs() < found.band.expect("a band"), "{solver}: {found:?}, exact {exact}");
+    }
+}

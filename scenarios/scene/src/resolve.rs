@@ -222,7 +222,8 @@ fn has_keel(entry: &Entry) -> bool {
 /// Pressure [Pa] that bounds the tension of the water which a body enters; `None` for no bound. Of several bodies the lowest holds: a higher one
 /// lets light bodies gain energy and adds to the noise under flat bottoms.
 fn least_pressure(draft: &Draft, body: &Body, entry: &Entry) -> Option<f64> {
-    if entry.leaves_its_sides() {
+    let round = matches!(entry.bottom, Bottom::Arc { .. });
+    if entry.leaves_its_sides() || round && entry.wets_its_chines() {
         return Some(0.0);
     }
     if !has_keel(entry) {

@@ -7,6 +7,7 @@ use std::f64::consts::PI;
 
 use run::error_bar::ErrorBar;
 use run::observers::Series;
+use run::results::time_of_impact;
 use run::{RunOptions, run};
 use scene::vocabulary::{ResultName, Verdict};
 use scene::{Scene, SceneError};
@@ -119,18 +120,31 @@ pub fn cover(drop: &Drop) -> Result<Vec<Line>, ExperimentError> {
             source: "boundary elements".into(),
         })
     };
-    let force = reference.summary.results.get(ResultName::PeakForce);
-    let force = force.and_then(|force| line(ResultName::PeakForce, force.value));
+    let force = other.entry().as_ref().and_then(time_of_impact);
+    let force = force.and_then(|time| line(ResultName::PeakForce, largest_mean(&other, &reference.series, time)));
     let impulse = impulse(&other, &reference.series, particles.summary.time_end_s);
     Ok(force.into_iter().chain(line(ResultName::Impulse, impulse)).collect())
 }
 
-/// Impulse of a run up to a time [s].
-fn impulse(scene: &Scene, series: &Series, end: f64) -> f64 {
+/// Times and upward force of a run.
+fn force(scene: &Scene, series: &Series) -> [Vec<f64>; 2] {
     let times = series.times();
     let body = scene.body.as_ref().map_or("", |body| &body.name);
     let force = series.column(&format!("{body}.fy_N_per_m")).unwrap_or_else(|| vec![0.0; times.len()]);
+    [times, force]
+}
+
+/// Impulse of a run up to a time [s].
+fn impulse(scene: &Scene, series: &Series, end: f64) -> f64 {
+    let [times, force] = force(scene, series);
     integral(&times, &force, end)
+}
+
+/// Largest mean of the force over a time [s].
+fn largest_mean(scene: &Scene, series: &Series, over: f64) -> f64 {
+    let [times, force] = force(scene, series);
+    let up_to = |end: f64| integral(&times, &force, end);
+    times.iter().map(|end| (up_to(*end) - up_to(end - over)) / over).fold(0.0, f64::max)
 }
 
 /// Integral of a curve up to a time, by trapezoids.

@@ -145,7 +145,7 @@ fn a_scene_file_loads_by_its_path() {
 const DEFAULTS_IN_WORDS: [&str; 26] = [
     "0.02; 0.005 with a rigid body that starts under water",
     "false; true with a rigid body that starts under water",
-    "0 for a rigid wedge whose chines get wet, not lighter than 0.4 of its added mass, and for a round bottom deeper than 0.15 radii; -density (V^2/2 + g L) for another free wedge from the air; else absent",
+    "0 for a rigid wedge whose chines get wet, not lighter than 0.4 of its added mass, and for a round bottom deeper than 0.15 radii or with wet chines; -density (V^2/2 + g L) for another free wedge from the air; else absent",
     "false; true if incompressible with a body, and for a body under water",
     "true; false in a tank of water without a body",
     "absent",

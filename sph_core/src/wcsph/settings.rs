@@ -68,11 +68,11 @@ pub struct Settings {
     pub ventilation: bool,
     /// Cavitation: water is not thinner than at this pressure, relative to the atmosphere; -99000 is the vapour pressure of water at
     /// 20 C [Pa]. Absent: the water holds any tension. Beside a rigid body with a keel whose chines get wet, at a given speed or with 0.4
-    /// of its added mass there, and under a round bottom that goes deeper than 0.15 radii, it is 0. Beside another free body with a keel
+    /// of its added mass there, and under a round bottom that goes deeper than 0.15 radii or wets its chines, it is 0. Beside another free body with a keel
     /// that enters from the air it is the dynamic pressure of its speed V and the hydrostatic one of its breadth or height L, so that jets
     /// and cavities leave it.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(range(max = 0.0), extend("x-default" = "0 for a rigid wedge whose chines get wet, not lighter than 0.4 of its added mass, and for a round bottom deeper than 0.15 radii; -density (V^2/2 + g L) for another free wedge from the air; else absent"))]
+    #[schemars(range(max = 0.0), extend("x-default" = "0 for a rigid wedge whose chines get wet, not lighter than 0.4 of its added mass, and for a round bottom deeper than 0.15 radii or with wet chines; -density (V^2/2 + g L) for another free wedge from the air; else absent"))]
     pub cavitation_pressure: Option<f64>,
     /// Acoustic steps for which the geometry of pairs may be held (THEORY WC22), 1 to 64 [-]. Fewer are taken where neighbours part
     /// fast or the water is under pressure; 1 finds the geometry in each step. auto: 4 where a rigid body with a keel enters the water, with

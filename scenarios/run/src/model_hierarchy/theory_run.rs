@@ -12,7 +12,7 @@ use crate::compare::{self, ReferenceCurve};
 use crate::error_bar::{ErrorBar, ErrorBars};
 use crate::log::{BodyView, Frame, Logged};
 use crate::observers::{ObserveError, Series, SimilarityResult, body_values, create_log, mean_and_deviation};
-use crate::results::{Extreme, RunningIntegral, STANDARD_GRAVITY};
+use crate::results::{CUTOFF, Extreme, RunningIntegral, STANDARD_GRAVITY};
 use crate::summary::{Log, Peak, Summary};
 use crate::{Outcome, RunError, RunOptions};
 
@@ -74,7 +74,7 @@ pub(crate) fn run(
         }),
         peaks: series.peaks().map(peak).collect(),
         means: series.means(0.8 * end).map(|(name, mean)| (name.to_string(), mean)).collect(),
-        results: results(body, &detailed(scene)?.unwrap_or(theory), &bars),
+        results: results(body, &detailed(scene)?.unwrap_or(theory), &bars, scene.report.bandwidth),
         error_bars: bars,
         similarity,
         comparison,
@@ -142,8 +142,8 @@ fn error_bars(scene: &Scene, body: &Body, theory: &Theory, series: &Series) -> E
     force.into_iter().chain(pressures).collect()
 }
 
-/// Results of a theory: no particles, so no mean.
-fn results(body: &Body, theory: &Theory, bars: &ErrorBars) -> Results {
+/// Results of a theory: no particles, so no mean unless the scene asks for a bandwidth.
+fn results(body: &Body, theory: &Theory, bars: &ErrorBars, bandwidth: Option<f64>) -> Results {
     let (mut forces, mut accelerations) = (RunningIntegral::<2>::default(), RunningIntegral::<1>::default());
     for (now, motion) in theory.instants.iter().zip(theory.motions(body)) {
         forces.take(now.time, motion.force);
@@ -151,15 +151,19 @@ fn results(body: &Body, theory: &Theory, bars: &ErrorBars) -> Results {
     }
     let quantity = |value: f64, time_s: Option<f64>, band: Option<f64>| {
         let verdict = Verdict::Resolved;
-        Some(Quantity { value, time_s, band, cutoff_hz: None, raw: value, verdict, allowed: None }.with_known_band())
+        Quantity { value, time_s, band, cutoff_hz: None, raw: value, verdict, allowed: None }.with_known_band()
     };
     // an acceleration and an impulse are as good as the force
     let bar = bars.get(&format!("peaks/{}.fy_N_per_m/value", body.name));
     let share = bar.filter(|bar| bar.value != 0.0).map(|bar| bar.band / bar.value.abs());
-    let peak = |largest: Option<Extreme>, subtracted: f64| {
-        let peak = largest?;
-        quantity(peak.value, Some(peak.time), share.map(|share| share * (peak.value + subtracted)))
+    let peak = |raw: Option<Extreme>, mean: Option<Extreme>, subtracted: f64| {
+        let (raw, peak) = (raw?, mean?);
+        let band = share.map(|share| share * (peak.value + subtracted));
+        Some(Quantity { raw: raw.value, cutoff_hz: bandwidth, ..quantity(peak.value, Some(peak.time), band) })
     };
+    let time = bandwidth.map(|bandwidth| CUTOFF / bandwidth);
+    let mean = time.map_or(forces.largest(), |time| forces.largest_mean(time));
+    let mean_of_acceleration = time.map_or(accelerations.largest(), |time| accelerations.largest_mean(time));
     let free = matches!(body.motion, Motion::Free(_));
     // formulas were measured on faces alone: their force past wet chines, and the impulse with it, was not
     let of_impulse = share.filter(|_| !(theory.wets_chines() && theory.model.is_formula()));
@@ -168,10 +172,10 @@ fn results(body: &Body, theory: &Theory, bars: &ErrorBars) -> Results {
     let gauges = bars.iter().filter(|(path, _)| path.ends_with(".p_Pa/value"));
     let pressure = gauges.max_by(|(_, a), (_, b)| a.value.total_cmp(&b.value));
     let all = [
-        (ResultName::PeakForce, peak(forces.largest(), 0.0)),
-        (ResultName::PeakAcceleration, peak(accelerations.largest(), 1.0).filter(|_| free)),
-        (ResultName::PeakPressure, pressure.and_then(|(_, bar)| quantity(bar.value, None, Some(bar.band)))),
-        (ResultName::Impulse, quantity(impulse, None, of_impulse.map(|share| share * impulse))),
+        (ResultName::PeakForce, peak(forces.largest(), mean, 0.0)),
+        (ResultName::PeakAcceleration, peak(accelerations.largest(), mean_of_acceleration, 1.0).filter(|_| free)),
+        (ResultName::PeakPressure, pressure.map(|(_, bar)| quantity(bar.value, None, Some(bar.band)))),
+        (ResultName::Impulse, Some(quantity(impulse, None, of_impulse.map(|share| share * impulse)))),
     ];
     let body = all.into_iter().filter_map(|(name, quantity)| Some((name, quantity?))).collect();
     Results { body, ..Results::default() }

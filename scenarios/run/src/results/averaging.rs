@@ -76,7 +76,7 @@ impl Averaging {
 }
 
 /// A time that resolves the force of an impact, whatever the spacing [s]; `None` under flat bottoms, which meet the water at once.
-fn time_of_impact(entry: &Entry) -> Option<f64> {
+pub fn time_of_impact(entry: &Entry) -> Option<f64> {
     match entry.bottom {
         _ if entry.is_flat() => None,
         Bottom::Arc { radius } => Some(SHARE_OF_RADIUS * radius / entry.speed),

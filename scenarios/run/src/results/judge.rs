@@ -18,7 +18,7 @@ use super::running_integral::{Extreme, RunningIntegral};
 /// Band of the acceleration of a body that still falls, a share of gravity [-].
 const FALL_BAND: f64 = 0.03;
 /// Factor in a round bottom's band on the drop of its peak when the averaging time is doubled (GE20) [-].
-const ROUND_SMOOTHING: f64 = 2.5;
+const ROUND_SMOOTHING: f64 = 1.5;
 /// Largest ratio of a single step's value to the mean [-].
 const LARGEST_RAW: f64 = 2.0;
 

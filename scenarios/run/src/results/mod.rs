@@ -10,7 +10,7 @@ mod judge;
 mod observer;
 mod running_integral;
 
-pub use averaging::CUTOFF;
+pub use averaging::{CUTOFF, time_of_impact};
 pub use filtered::{FilteredAcceleration, PASS_OVER_CLASS};
 pub use observer::ResultsObserver;
 pub(crate) use running_integral::{Extreme, RunningIntegral};

@@ -133,8 +133,11 @@ impl Scene {
 const ACOUSTIC_TIMES: f64 = 10.0;
 /// Draught at which the water's mass is a fifth of a round body's, at least (GE22) [spacings].
 const LEAST_ROUND: f64 = 1.25;
-/// Least band of a round bottom's peak through its window (GE20), and that of a radius of one spacing, shares of the force [-].
-const ROUND_BAND: [f64; 2] = [0.05, 5.0];
+/// Least band of a round bottom's peak through its window (GE20), weakly compressible and incompressible, shares of the force: the projection
+/// gives 7 to 10 % less than boundary elements at every spacing [-].
+const LEAST_ROUND_BAND: [f64; 2] = [0.05, 0.12];
+/// The band that a radius of one spacing would have, a share of the force [-].
+const ROUND_BAND: f64 = 5.0;
 
 /// A force on a round bottom.
 pub struct RoundContact {
@@ -181,7 +184,7 @@ impl RoundContact {
             );
             return (Verdict::NotResolved, None, Some(why.into()));
         }
-        let share = ROUND_BAND[0].max(ROUND_BAND[1] * spacing / radius);
+        let share = LEAST_ROUND_BAND[usize::from(sound_speed.is_none())].max(ROUND_BAND * spacing / radius);
         (Verdict::Resolved, Some(share), None)
     }
 }

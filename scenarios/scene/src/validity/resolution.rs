@@ -18,8 +18,8 @@ const FORCE_BAND: [f64; 2] = [0.4, 1.0];
 /// The least band of a peak force, a share of it [-].
 const LEAST_FORCE_BAND: f64 = 0.02;
 /// The same of an impulse, of wedges and of round bottoms, each weakly compressible and incompressible, shares of the impulse [-].
-const IMPULSE_BAND: [[f64; 2]; 2] = [[0.55, 1.1], [0.75, 1.5]];
-const LEAST_IMPULSE_BAND: [f64; 2] = [0.015, 0.025];
+const IMPULSE_BAND: [[f64; 2]; 2] = [[0.55, 1.1], [0.75, 2.0]];
+const LEAST_IMPULSE_BAND: [[f64; 2]; 2] = [[0.015, 0.025], [0.02, 0.05]];
 /// What the tip of a wedge steeper than 45 degrees, which is thinner than the kernel, adds to the force times k/tan²β: weakly
 /// compressible and incompressible [-].
 const THIN_TIP: [f64; 2] = [0.15, 0.5];
@@ -65,7 +65,7 @@ impl Depth {
         let solver = usize::from(self.incompressible);
         let at_one_spacing = IMPULSE_BAND[usize::from(round)][solver];
         let share = (at_one_spacing + 2.0 * self.thin_tip(entry)) / self.spacings();
-        self.within_widest(share.max(LEAST_IMPULSE_BAND[solver]))
+        self.within_widest(share.max(LEAST_IMPULSE_BAND[usize::from(round)][solver]))
     }
 
     fn within_widest(self, share: f64) -> Result<f64, Why> {
