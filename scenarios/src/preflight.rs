@@ -15,8 +15,8 @@ use fsi_coupling::natural_frequencies;
 use run::model_hierarchy::{Assessment, assess};
 use scene::{
     Body, CouplingScheme, Entry, ExchangeRatio, Modes, OutlineReport, Panel, QuantityOfInterest, Scene, Symmetry,
-    cost_of_step, known_compressibility_error, layout, line, memory_estimate, panel_exchanges, panel_length,
-    particle_estimate, step_at_start,
+    cost_of_step, estimated_steps, known_compressibility_error, layout, line, memory_estimate, panel_exchanges,
+    panel_length, particle_estimate, step_at_start,
 };
 use serde::Serialize;
 use settings::significant;
@@ -119,7 +119,7 @@ pub fn preflight(scene: &Scene, warnings: &[String]) -> Preflight {
     let fastest = scene.fastest_speed();
     let sound = (!scene.solver.is_incompressible()).then_some(scene.sound_speed());
     let (step, cost) = (step_at_start(scene), cost_of_step(scene));
-    let steps = ((scene.time.end - scene.time.start) / step).ceil();
+    let steps = estimated_steps(scene);
     let entries = scene.entries();
     let least = |of: &dyn Fn(&Entry) -> f64| entries.iter().map(|(_, entry)| of(entry)).reduce(f64::min);
     let root = entries.iter().map(|(_, entry)| entry.root_speed()).reduce(f64::max);

@@ -7,6 +7,9 @@ use sph_core::{Fluid, parallel};
 use crate::bodies::body::Body;
 use crate::geometry::polygon::bounding_box;
 
+/// Rounding of a place over its distance from the origin [-].
+const ROUNDING: f64 = 1e-13;
+
 /// A fluid particle behind a wall's surface.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Breach {
@@ -40,9 +43,9 @@ impl Penetration {
         Penetration { count, worst }
     }
 
-    /// Count one particle, at a signed `distance` [m] from the wall of `owner`, if it is behind it.
+    /// Count one particle, at a signed `distance` [m] from the wall of `owner`, if it is behind it by more than rounding.
     pub(crate) fn count(&mut self, id: u32, at: [f64; 2], distance: f64, owner: &str) {
-        if distance >= 0.0 {
+        if distance >= -ROUNDING * (at[0].abs() + at[1].abs()) {
             return;
         }
         self.count += 1;
@@ -84,4 +87,18 @@ pub(crate) fn penetration(fluid: &Fluid, bodies: &[&dyn Body]) -> Penetration {
         found
     };
     parallel::by_chunk(p.len(), search).into_iter().fold(Penetration::default(), Penetration::and)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_particle_on_a_wall_to_rounding_is_not_behind_it() {
+        let mut found = Penetration::default();
+        found.count(1, [0.2, 0.1], -8.7e-18, "box");
+        assert_eq!(found, Penetration::default());
+        found.count(2, [0.2, 0.1], -1e-9, "box");
+        assert_eq!((found.count, found.worst.map(|worst| worst.id)), (1, Some(2)));
+    }
 }

@@ -19,7 +19,17 @@ const THESIS_COST: f64 = 1e-4;
 /// Estimated cost of a scene's particles [core-seconds].
 pub fn core_seconds(scene: &Scene) -> f64 {
     let (particles, _) = particle_estimate(scene);
-    cost_of_step(scene) * particles as f64 * ((scene.time.end - scene.time.start) / step_at_start(scene)).ceil()
+    cost_of_step(scene) * particles as f64 * estimated_steps(scene)
+}
+
+/// Steps of a projection in an entry over those at the speed that is known before: the spray is faster. 1.3 to 2.8 on random drops [-].
+const STEPS_IN_SPRAY: f64 = 1.8;
+
+/// Estimated number of steps.
+pub fn estimated_steps(scene: &Scene) -> f64 {
+    let sprays = scene.solver.is_incompressible() && scene.time.step.is_none() && !scene.entries().is_empty();
+    let more = if sprays { STEPS_IN_SPRAY } else { 1.0 };
+    (more * (scene.time.end - scene.time.start) / step_at_start(scene)).ceil()
 }
 
 /// Share of a step's cost that held geometry does not save [-].

@@ -55,7 +55,7 @@ pub mod vocabulary;
 pub use auto::fastest_speed;
 pub use bottom::Bottom;
 pub use bounded_text::read_text;
-pub use cost::{core_seconds, cost_of_step, step_at_start};
+pub use cost::{core_seconds, cost_of_step, estimated_steps, step_at_start};
 pub use embedded::{contents, texts};
 pub use error::SceneError;
 pub use estimate::{BYTES_PER_PARTICLE, memory_estimate, particle_estimate};

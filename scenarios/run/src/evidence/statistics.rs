@@ -88,7 +88,7 @@ mod tests {
     #[test]
     fn bias_and_scatter_are_separated_from_the_scatter_of_the_references() {
         let normal = |share: f64| {
-            // inverse of the normal distribution by bisection of its tail, 20 terms of the error function's series
+            // 20 quantiles have 0.96 of its deviation; inverse of the normal distribution by bisection of its tail, 20 terms of the error function's series
             let below = |x: f64| {
                 let (mut term, mut sum) = (x, x);
                 for k in 1..60 {
@@ -114,7 +114,7 @@ mod tests {
         let all: Vec<&Point> = points.iter().collect();
         let found = Statistics::of(&all).expect("points");
         let scatter = found.scatter.expect("many");
-        assert!((found.bias - 1.1).abs() < 2e-3 && (scatter - 0.05).abs() < 2e-3, "{found:?}");
+        assert!((found.bias - 1.1).abs() < 2e-3 && (scatter - 0.05).abs() < 3e-3, "{found:?}");
         let factor = found.not_exceeded().expect("many");
         let held = (0..400).filter(|k| factor * 1.1 * (0.05 * quantile(k / 20)).exp() >= 1.0).count();
         assert!((370..=390).contains(&held), "{held} of 400");
