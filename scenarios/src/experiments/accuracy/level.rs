@@ -73,7 +73,7 @@ impl Level {
         let Stored { model, status, results, wall_time_s, threads } =
             serde_json::from_str(&text("summary.json")?).ok()?;
         let is_own = text("scene.resolved.toml")? == scene && status.has_results();
-        is_own.then(|| Level { spacing, model, results, core_seconds: wall_time_s * threads as f64 })
+        is_own.then_some(Level { spacing, model, results, core_seconds: wall_time_s * threads as f64 })
     }
 
     pub fn is_at(&self, spacing: f64) -> bool {
