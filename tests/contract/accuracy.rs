@@ -58,6 +58,7 @@ fn what_cannot_be_reached_is_refused_before_a_run() {
     for (more, expected) in [
         (&["--to", "0"][..], "expected a number of percent from 0.1 to 50"),
         (&["--to", "5%", "--converge"], "cannot be used with"),
+        (&["--to", "5%", "--quantity", "foo"], "peak_force_N_per_m"),
         (&["--to", "5%", "--set", "model=wagner"], "expected a model with results within 5 %"),
     ] {
         let ended = place.run(&[&["run", "wedge"], more].concat());

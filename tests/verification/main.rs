@@ -41,6 +41,7 @@ mod rotating_patch;
 mod split_explicit;
 mod sprung;
 mod standing_wave;
+mod start_at_surface;
 mod still_water;
 mod strips;
 mod study;

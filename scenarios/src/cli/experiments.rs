@@ -172,7 +172,10 @@ pub fn run_validation(output: &Output, args: &ValidateArgs) -> Result<u8, Stop> 
     }
     match lines.iter().filter(|l| !l.holds).count() {
         0 => Ok(DONE),
-        misses => Err(Stop::Failed(format!("{misses} of {} numbers do not hold", lines.len()))),
+        misses => {
+            let judged = lines.iter().filter(|l| l.is_judged()).count();
+            Err(Stop::Failed(format!("{misses} of {judged} numbers that are judged do not hold")))
+        }
     }
 }
 

@@ -80,13 +80,18 @@ fn compressibility_in_words(c: &Compressibility) -> String {
     }
 }
 
-/// Results as a table, with what the cards have no room for; nothing where the run failed.
-/// GE28: the value that a result does not exceed with a probability of 95 %, where its quantity has been judged by enough references.
+/// Largest share of a value in its band for which a value that is not exceeded is given [-].
+const WIDEST: f64 = 0.3;
+
+/// GE28: the value that a result does not exceed with a probability of 95 %, where it has a band and its quantity was judged by enough
+/// references.
 fn not_exceeded(model: &str, id: &ResultId, q: &vocabulary::Quantity) -> Option<f64> {
+    let band = q.share().filter(|share| q.verdict == vocabulary::Verdict::Resolved && *share <= WIDEST)?;
     let known = evidence::known(Quantity::of_result(id.name)?, model)?;
-    Some(q.shown()? * known.not_exceeded()?).filter(|_| q.verdict.is_sound())
+    Some(q.shown()? * known.not_exceeded(band)?)
 }
 
+/// Results as a table, with what the cards have no room for; nothing where the run failed.
 pub(super) fn results_section(run: &RunFolder) -> Vec<Block> {
     if run.has_failed() {
         return Vec::new();
@@ -130,8 +135,8 @@ pub(super) fn results_section(run: &RunFolder) -> Vec<Block> {
         text += " A stress is the largest of every step, for a structure averages by itself.";
     }
     if results.named().any(|(id, q)| not_exceeded(run.model(), &id, q).is_some()) {
-        text += " The true value is below the last column with a probability of 95 %, by bias and scatter of such numbers against \
-                 references; what the references do not have, as air, ends and speed of a real body, is not in it.";
+        text += " The true mean over the same time is below the last column with a probability of 95 %, by the band and by bias and scatter of such \
+                 numbers against references; what the references do not have, as air, ends and speed of a real body, is not in it.";
     }
     let head = ["result", "value ± band", "at", "averaged below", "verdict", "single step", "below, 95 %"];
     table_section(text.trim(), Table::new("Results", &head, rows))

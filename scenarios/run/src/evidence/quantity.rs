@@ -19,8 +19,10 @@ pub enum Quantity {
     Position,
     /// Roll or trim of a body.
     Attitude,
-    /// Acceleration of an aeroplane that lands.
+    /// Acceleration of an aeroplane that lands, across its floor.
     LandingAcceleration,
+    /// Deceleration of an aeroplane that lands, along its floor.
+    LandingDeceleration,
     /// Largest pressure on a face.
     PeakPressure,
     /// Pressure in time: its integral, or its curve.
@@ -39,8 +41,8 @@ pub enum Quantity {
     Deflection,
     /// Stress or strain of a structure.
     Stress,
-    /// Frequency or period of a structure in water.
-    WetFrequency,
+    /// Period of a structure in water, or the time of its largest deflection.
+    WetPeriod,
     /// Lift of a planing hull.
     PlaningLift,
     /// Place of the lift of a planing hull.
@@ -50,14 +52,15 @@ pub enum Quantity {
 }
 
 /// Each quantity with its title.
-const TABLE: [(Quantity, &str); 20] = [
+const TABLE: [(Quantity, &str); 21] = [
     (Quantity::Force, "Force"),
     (Quantity::Moment, "Moment"),
     (Quantity::Impulse, "Impulse"),
     (Quantity::Velocity, "Velocity of a falling body"),
     (Quantity::Position, "Height of a body, draught"),
     (Quantity::Attitude, "Roll, trim"),
-    (Quantity::LandingAcceleration, "Acceleration in a landing"),
+    (Quantity::LandingAcceleration, "Landing: acceleration across the floor"),
+    (Quantity::LandingDeceleration, "Landing: deceleration along the floor"),
     (Quantity::PeakPressure, "Peak pressure"),
     (Quantity::PressureInTime, "Pressure in time"),
     (Quantity::StillPressure, "Pressure at rest"),
@@ -67,26 +70,27 @@ const TABLE: [(Quantity, &str); 20] = [
     (Quantity::WavePeriod, "Period, speed of waves"),
     (Quantity::Deflection, "Deflection"),
     (Quantity::Stress, "Stress, strain"),
-    (Quantity::WetFrequency, "Frequency in water"),
+    (Quantity::WetPeriod, "Period in water"),
     (Quantity::PlaningLift, "Lift of a planing hull"),
     (Quantity::CentreOfPressure, "Centre of pressure of a planing hull"),
     (Quantity::Drift, "Mean drift force"),
 ];
 
 /// Parts of a number's path, or of a comparison's text, and what they say; the first row that fits counts.
-const WORDS: [(&str, Quantity); 36] = [
+const WORDS: [(&str, Quantity); 37] = [
     ("lift_coefficient", Quantity::PlaningLift),
     ("center_of_pressure", Quantity::CentreOfPressure),
-    ("deceleration_g", Quantity::LandingAcceleration),
-    ("accelerometers", Quantity::LandingAcceleration),
+    ("deceleration_g", Quantity::LandingDeceleration),
+    ("longitudinal_g", Quantity::LandingDeceleration),
+    ("normal_g", Quantity::LandingAcceleration),
     ("drift", Quantity::Drift),
-    ("wet_period", Quantity::WetFrequency),
-    ("wet_frequency", Quantity::WetFrequency),
-    ("deflection_m/time_s", Quantity::WetFrequency),
+    ("wet_period", Quantity::WetPeriod),
+    ("wet_frequency", Quantity::WetPeriod),
+    ("deflection_m/time_s", Quantity::WetPeriod),
     ("arrival", Quantity::Arrival),
     ("level1_m, period", Quantity::WavePeriod),
     ("phase_speed", Quantity::WavePeriod),
-    (", period", Quantity::WetFrequency),
+    (", period", Quantity::WetPeriod),
     ("stress_Pa", Quantity::Stress),
     ("strain", Quantity::Stress),
     ("deflection_m", Quantity::Deflection),
@@ -164,7 +168,7 @@ mod tests {
             ("gauges/flat_50/peak_pa", Some(Quantity::PeakPressure)),
             ("level1_m, period [s]", Some(Quantity::WavePeriod)),
             ("plate.at50.deflection_m, peak", Some(Quantity::Deflection)),
-            ("peaks/plate.at0.deflection_m/time_s", Some(Quantity::WetFrequency)),
+            ("peaks/plate.at0.deflection_m/time_s", Some(Quantity::WetPeriod)),
             ("cylinder.y_m", Some(Quantity::Position)),
             ("accelerometers/0/normal_g/value", Some(Quantity::LandingAcceleration)),
             ("center_of_pressure_m/value", Some(Quantity::CentreOfPressure)),

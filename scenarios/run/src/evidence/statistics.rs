@@ -6,6 +6,8 @@ use super::point::Point;
 pub const LEAST_POINTS: usize = 5;
 /// Standard deviations below which 95 % of a normal distribution lie, on one side.
 const ONE_SIDED_95: f64 = 1.644_853_6;
+/// The same for a band that contains 95 %, on both sides.
+const TWO_SIDED_95: f64 = 1.959_964;
 
 /// GE28: how a model's numbers of a quantity lie about its references.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,6 +18,8 @@ pub struct Statistics {
     pub cases: usize,
     /// Bias δ: ours over theirs, geometric mean corrected for scatter [-].
     pub bias: f64,
+    /// Geometric mean of ours over theirs [-].
+    pub middle: f64,
     /// Relative standard deviation σ_M of the model [-]; `None` below [`LEAST_POINTS`].
     pub scatter: Option<f64>,
     /// Relative standard uncertainty σ_E of the references, root mean square of those that are known [-].
@@ -50,16 +54,26 @@ impl Statistics {
             points: logs.len(),
             cases: cases.len(),
             bias,
+            middle: mean.exp(),
             scatter,
             reference,
             worst: (points[worst].ratio - 1.0, worst),
         })
     }
 
-    /// GE28: factor on a number of the model below which the true value lies with a probability of 95 % [-].
-    pub fn not_exceeded(&self) -> Option<f64> {
-        Some((1.0 + ONE_SIDED_95 * self.scatter?) / self.bias)
+    /// GE28: factor on a number of the model below which the true value lies with a probability of 95 % [-]; `band`: share of the number in its
+    /// own band, which 95 % of the numerical errors are within, 0 for none.
+    pub fn not_exceeded(&self, band: f64) -> Option<f64> {
+        let scatter = self.scatter?.hypot(band / TWO_SIDED_95);
+        let n = self.points as f64;
+        Some((student(n - 1.0) * (1.0 + 1.0 / n).sqrt() * scatter).exp() / self.middle)
     }
+}
+
+/// One-sided 95 % point of Student's distribution, to 1 % from 4 degrees of freedom on (expansion of Cornish and Fisher).
+fn student(freedom: f64) -> f64 {
+    let z = ONE_SIDED_95;
+    z + (z.powi(3) + z) / (4.0 * freedom) + (5.0 * z.powi(5) + 16.0 * z.powi(3) + 3.0 * z) / (96.0 * freedom.powi(2))
 }
 
 #[cfg(test)]
@@ -115,7 +129,9 @@ mod tests {
         let found = Statistics::of(&all).expect("points");
         let scatter = found.scatter.expect("many");
         assert!((found.bias - 1.1).abs() < 2e-3 && (scatter - 0.05).abs() < 3e-3, "{found:?}");
-        let factor = found.not_exceeded().expect("many");
+        let factor = found.not_exceeded(0.0).expect("many");
+        assert!(found.not_exceeded(0.1).expect("many") > factor + 0.03, "its own band counts");
+        assert!((student(4.0) - 2.132).abs() < 0.02 && (student(1e6) - ONE_SIDED_95).abs() < 1e-5);
         let held = (0..400).filter(|k| factor * 1.1 * (0.05 * quantile(k / 20)).exp() >= 1.0).count();
         assert!((370..=390).contains(&held), "{held} of 400");
     }
@@ -133,7 +149,7 @@ mod tests {
     fn few_points_have_a_bias_and_no_scatter() {
         let points = [point(1.02, None), point(1.02, None)];
         let found = Statistics::of(&points.iter().collect::<Vec<_>>()).expect("points");
-        assert!((found.bias - 1.02).abs() < 1e-12 && found.scatter.is_none() && found.not_exceeded().is_none());
+        assert!((found.bias - 1.02).abs() < 1e-12 && found.scatter.is_none() && found.not_exceeded(0.0).is_none());
         assert_eq!((found.points, found.cases, found.reference), (2, 1, None));
         assert_eq!(Statistics::of(&[]), None);
     }

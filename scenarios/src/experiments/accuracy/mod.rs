@@ -90,6 +90,7 @@ impl Request {
 /// The scene is wrong, a result is unknown, or a run could not be made.
 pub fn refine(request: &Request, tell: impl Fn(String)) -> Result<Done, ExperimentError> {
     let own = request.scene(&[])?;
+    refuse_unknown(&request.results, &own.scene)?;
     let named = own.scene.choice.is_none() && ["model", "solver"].iter().any(|key| own.names(key));
     if !named || own.scene.model.is_theory() {
         if let Some(done) = by_theory(request, &own.scene, named, &tell)? {
@@ -101,6 +102,22 @@ pub fn refine(request: &Request, tell: impl Fn(String)) -> Result<Done, Experime
         }
     }
     by_particles(request, own.scene.model.is_theory(), &tell)
+}
+
+/// Refuses names that no result has, before the first run.
+fn refuse_unknown(asked: &[String], scene: &Scene) -> Result<(), ExperimentError> {
+    let panels: Vec<&str> = scene.all_bodies().flat_map(|body| &body.panels).map(|panel| panel.name.as_str()).collect();
+    let is_known = |name: &String| match name.rsplit_once('.') {
+        Some((panel, result)) => panels.contains(&panel) && ResultName::of(result).is_some(),
+        None => ResultName::of(name).is_some(),
+    };
+    if asked.iter().all(is_known) {
+        return Ok(());
+    }
+    let of_panels = panels.iter().map(|panel| format!("{panel}.{}", ResultName::PeakStress.name()));
+    let names = [ResultName::PeakForce, ResultName::PeakAcceleration, ResultName::PeakPressure, ResultName::Impulse];
+    let known: Vec<String> = names.map(|name| name.name().to_string()).into_iter().chain(of_panels).collect();
+    Err(ExperimentError::unknown_result(asked, &known))
 }
 
 /// The cheapest theory that quotes all results asked for within the share.

@@ -18,6 +18,7 @@ use run::numbers::Numbers;
 use run::{self, RunOptions};
 use scene::Scene;
 use serde::{Deserialize, Serialize};
+use water_entry::EntryModel;
 
 use super::catalogue::{self, Catalogue};
 use super::runs::RunRecord;
@@ -99,6 +100,13 @@ pub struct Expect {
     pub nature: Option<Nature>,
     /// Relative standard uncertainty of the reference [-]; absent: as its table says, 0 for an exact one.
     pub uncertainty: Option<f64>,
+    /// `false`: no evidence of a quantity, as a number that follows from another or is measured from an arbitrary height.
+    #[serde(default = "is_evidence")]
+    pub evidence: bool,
+}
+
+fn is_evidence() -> bool {
+    true
 }
 
 /// A coarser run.
@@ -139,6 +147,16 @@ pub struct Line {
     /// The number as evidence of a quantity; absent where it has no reference.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub point: Option<Point>,
+}
+
+/// The bound of a number that is compared and not judged.
+const NOT_JUDGED: &str = "not judged";
+
+impl Line {
+    /// Whether the number has a bound.
+    pub fn is_judged(&self) -> bool {
+        self.allowed != NOT_JUDGED
+    }
 }
 
 impl catalogue::Case for Case {
@@ -254,7 +272,7 @@ fn of_comparison(c: &Comparison, model: &str, setup: Setup) -> Line {
         ours: c.ours,
         theirs: number(c.theirs),
         error: Some(c.error),
-        allowed: c.tolerance.map_or("not judged".into(), number),
+        allowed: c.tolerance.map_or(NOT_JUDGED.into(), number),
         holds: c.passes(),
         source: c.reference.clone(),
         point: Quantity::of(&c.quantity).map(point),
@@ -284,6 +302,10 @@ fn judge(expect: &Expect, numbers: &Numbers, model: &str, setup: Setup) -> Line 
         _ => expect.at_most.is_some(), // a number without a bound is not judged: it does not hold
     };
     let bounded = expect.at_most.is_none_or(|bound| ours.abs() <= bound);
+    // a result of a run without a band is no evidence; a band contains 95 %
+    let result = expect.value.strip_prefix("results/").and_then(|_| expect.value.strip_suffix("/value"));
+    let band = result.and_then(|result| numbers.get(&format!("{result}/band")));
+    let quantity = Quantity::of(&expect.value).filter(|_| expect.evidence && (result.is_none() || band.is_some()));
     let mut allowed = Vec::new();
     allowed.extend(expect.tolerance.map(|t| format!("{} %", number(100.0 * t))));
     allowed.extend(expect.at_most.map(|b| format!("at most {}", number(b))));
@@ -295,17 +317,14 @@ fn judge(expect: &Expect, numbers: &Numbers, model: &str, setup: Setup) -> Line 
         allowed: allowed.join(", "),
         holds: near && bounded && ours.is_finite(),
         source: expect.source.clone(),
-        point: expect.reference.zip(Quantity::of(&expect.value)).map(|(reference, quantity)| Point {
+        point: expect.reference.zip(quantity).map(|(reference, quantity)| Point {
             quantity,
             case: String::new(),
             number: expect.value.clone(),
             model: model.into(),
             ratio: ours / reference,
             waveform: None,
-            numerical: expect
-                .value
-                .strip_suffix("/value")
-                .and_then(|result| Some((numbers.get(&format!("{result}/band"))? / ours).abs())),
+            numerical: band.filter(|_| is_particles(model)).map(|band| (0.5 * band / ours).abs()),
             setup,
             reference: expect.pedigree(),
         }),
@@ -337,6 +356,11 @@ fn falls(case: &Case, coarser: &Coarser, path: &str, fine: &RunRecord, coarse: &
         source: coarser.set.join(" "),
         ..Line::default()
     }
+}
+
+/// True for the models of particles.
+fn is_particles(model: &str) -> bool {
+    EntryModel::ALL.iter().any(|known| known.name() == model && !known.is_theory())
 }
 
 /// Lines that `splashdown validate --json` printed.

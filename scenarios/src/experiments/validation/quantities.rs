@@ -3,11 +3,13 @@
 use report::Table;
 use run::evidence::{LEAST_POINTS, Nature, Point, Quantity, Statistics};
 use settings::significant;
-use water_entry::EntryModel;
+
+use super::is_particles;
 
 /// Quantities that are asked for and have few points, or none: why.
-const FEW: [(Quantity, &str); 2] = [
+const FEW: [(Quantity, &str); 3] = [
     (Quantity::Attitude, "no measured roll or trim of a section is in a case"),
+    (Quantity::Stress, "the runs that have a reference quote no stress as resolved"),
     (Quantity::Drift, "the mean force of waves is not yet right"),
 ];
 
@@ -15,8 +17,7 @@ const FEW: [(Quantity, &str); 2] = [
 pub fn page(points: &[Point]) -> String {
     let all: Vec<&Point> = points.iter().collect();
     let of_nature = |nature| all.iter().copied().filter(|p| p.reference.nature == nature).collect::<Vec<_>>();
-    let is_particles = |p: &&Point| EntryModel::ALL.iter().any(|model| model.name() == p.model && !model.is_theory());
-    let (particles, others): (Vec<&Point>, Vec<&Point>) = all.iter().partition(|p| is_particles(p));
+    let (particles, others): (Vec<&Point>, Vec<&Point>) = all.iter().partition(|p| is_particles(&p.model));
     let mut text = String::new();
     for (title, points) in [("Particles", &particles), ("Theories, strips, boundary elements", &others)] {
         text += &format!("## {title}\n\n{}\n", table(points, range_of_validity));
@@ -103,7 +104,7 @@ fn table(points: &[&Point], more: impl Fn(&[&Point]) -> Vec<String>) -> String {
             found.reference.map_or("–".into(), percent),
             format!("{} ({})", signed(worst), own[at].case),
             median,
-            found.not_exceeded().map_or("–".into(), |factor| format!("{factor:.3}")),
+            found.not_exceeded(0.0).map_or("–".into(), |factor| format!("{factor:.3}")),
         ];
         row.extend(more(&own));
         rows.push(row);
