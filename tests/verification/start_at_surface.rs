@@ -17,7 +17,7 @@ fn added_mass() -> f64 {
     0.5 * 1000.0 * (2.0 * std::f64::consts::PI * radius.powi(2) - side.powi(2))
 }
 
-/// Added mass of a run over the exact one: what the force lacks of buoyancy, over the speed reached. `direction`: 1 up, −1 down.
+/// Added mass of a run over the exact one: buoyancy less the force, over the speed reached. `direction`: 1 up, −1 down.
 fn ratio(direction: f64, solver: &str, spacings: f64) -> f64 {
     let rows: Vec<String> = (0..=20)
         .map(|k| {
@@ -36,8 +36,8 @@ fn ratio(direction: f64, solver: &str, spacings: f64) -> f64 {
     let series = run(&scene, &RunOptions::default()).expect("a run").series;
     let (times, force) = (series.times(), series.column("wedge.fy_N_per_m").expect("a force"));
     let height = series.column("wedge.y_m").expect("a height");
-    let lacking = |k: usize| 9810.0 * height[k] * height[k] - force[k]; // b = 2 D, so that the area is D²
-    let integral: f64 = (1..times.len()).map(|k| 0.5 * (times[k] - times[k - 1]) * (lacking(k) + lacking(k - 1))).sum();
+    let missing = |k: usize| 9810.0 * height[k] * height[k] - force[k]; // b = 2 D, so that the area is D²
+    let integral: f64 = (1..times.len()).map(|k| 0.5 * (times[k] - times[k - 1]) * (missing(k) + missing(k - 1))).sum();
     integral / (direction * ACCELERATION * times[times.len() - 1]) / added_mass()
 }
 

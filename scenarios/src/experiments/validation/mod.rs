@@ -101,12 +101,7 @@ pub struct Expect {
     /// Relative standard uncertainty of the reference [-]; absent: as its table says, 0 for an exact one.
     pub uncertainty: Option<f64>,
     /// `false`: no evidence of a quantity, as a number that follows from another or is measured from an arbitrary height.
-    #[serde(default = "is_evidence")]
-    pub evidence: bool,
-}
-
-fn is_evidence() -> bool {
-    true
+    pub evidence: Option<bool>,
 }
 
 /// A coarser run.
@@ -305,7 +300,8 @@ fn judge(expect: &Expect, numbers: &Numbers, model: &str, setup: Setup) -> Line 
     // a result of a run without a band is no evidence; a band contains 95 %
     let result = expect.value.strip_prefix("results/").and_then(|_| expect.value.strip_suffix("/value"));
     let band = result.and_then(|result| numbers.get(&format!("{result}/band")));
-    let quantity = Quantity::of(&expect.value).filter(|_| expect.evidence && (result.is_none() || band.is_some()));
+    let quantity =
+        Quantity::of(&expect.value).filter(|_| expect.evidence != Some(false) && (result.is_none() || band.is_some()));
     let mut allowed = Vec::new();
     allowed.extend(expect.tolerance.map(|t| format!("{} %", number(100.0 * t))));
     allowed.extend(expect.at_most.map(|b| format!("at most {}", number(b))));
