@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::command::Workplace;
+use crate::command::{Ended, Workplace};
 
 fn outcome(place: &Workplace, folder: &str) -> Value {
     serde_json::from_str(&place.text(&format!("{folder}/accuracy.json"))).expect("JSON")
@@ -65,4 +65,27 @@ fn what_cannot_be_reached_is_refused_before_a_run() {
         assert_eq!(ended.code, Some(2), "{more:?} {}", ended.message);
         assert!(ended.message.contains(expected), "{more:?} {}", ended.message);
     }
+}
+
+/// Ctrl-C keeps a checkpoint of the present run; the same command continues it, to the same numbers.
+#[cfg(unix)]
+#[test]
+fn an_interrupted_refinement_continues() {
+    let place = Workplace::new();
+    let asked = |out: &'static str| {
+        let scene = ["run", "wedge_constant", "--set", "model=wcsph", "--set", "resolution.spacing=0.02"];
+        [&scene[..], &["--set", "time.end=0.7", "--quantity", "impulse_N_s_per_m", "--to", "40%", "--out", out]]
+            .concat()
+    };
+    let child = place.start_until(&asked("c"), "c/spacing_0.020000/series.csv", 10_000);
+    let id = child.id().to_string();
+    assert!(std::process::Command::new("kill").args(["-INT", &id]).status().expect("the kill command").success());
+    let ended = Ended::from(child.wait_with_output().expect("a child to wait for"));
+    assert_eq!(ended.code, Some(1), "{}", ended.message);
+    ended.says(&["interrupted at t = ", "the same command continues"]);
+    for out in ["c", "d"] {
+        let ended = place.run(&asked(out));
+        assert_eq!(ended.code, Some(0), "{}", ended.message);
+    }
+    assert_eq!(outcome(&place, "c")["results"], outcome(&place, "d")["results"]);
 }

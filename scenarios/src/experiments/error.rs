@@ -22,6 +22,9 @@ pub enum ExperimentError {
     /// A run ended early.
     #[error("the run at spacing {0} m and sound speed {1} m/s ended early: {2}")]
     Ended(f64, f64, String),
+    /// A run was interrupted, at a spacing [m] and a time [s].
+    #[error("interrupted at t = {1:.6} s of the run at spacing {0} m: the same command continues")]
+    Interrupted(f64, f64),
     /// A scene is wrong.
     #[error(transparent)]
     Scene(#[from] SceneError),
@@ -50,7 +53,7 @@ impl ExperimentError {
     pub fn is_input(&self) -> bool {
         match self {
             ExperimentError::Run(error) => error.is_input(),
-            ExperimentError::Ended(..) | ExperimentError::Write(..) => false,
+            ExperimentError::Ended(..) | ExperimentError::Interrupted(..) | ExperimentError::Write(..) => false,
             _ => true,
         }
     }

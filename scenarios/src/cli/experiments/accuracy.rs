@@ -1,6 +1,7 @@
 //! `splashdown run --to`.
 
 use std::path::PathBuf;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use report::Table;
 use settings::significant;
@@ -8,6 +9,8 @@ use settings::significant;
 use super::write_all;
 use crate::cli::shared::{DONE, Output, SceneArgs, Stop, load};
 use crate::experiments::accuracy::{Achieved, By, Done, Request, refine};
+
+static INTERRUPTED: AtomicBool = AtomicBool::new(false);
 
 /// File of the outcome.
 const FILE: &str = "accuracy.json";
@@ -27,7 +30,14 @@ pub fn run_to(
         share,
         results: results.to_vec(),
         out: out.clone(),
+        interrupt: Some(&INTERRUPTED),
     };
+    let end = || {
+        if INTERRUPTED.swap(true, Ordering::Relaxed) {
+            std::process::exit(130); // asked twice
+        }
+    };
+    ctrlc::set_handler(end).map_err(|e| Stop::Failed(format!("cannot listen for Ctrl-C: {e}")))?;
     let done = refine(&request, |text| output.progress(format_args!("{text} …")))?;
     let json = serde_json::to_string_pretty(&done).unwrap_or_default();
     write_all(&out, &[(FILE.into(), json)])?;

@@ -2,6 +2,7 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicBool;
 
 use run::error_bar::ErrorBars;
 use run::summary::Summary;
@@ -42,24 +43,34 @@ impl Level {
         loaded: &Loaded,
         folder: PathBuf,
         bars: Option<&(dyn Fn(&Summary) -> ErrorBars + Sync)>,
+        interrupt: Option<&AtomicBool>,
     ) -> Result<Level, ExperimentError> {
         let (scene, spacing) = (&loaded.scene, loaded.scene.resolution.spacing);
         if let Some(found) = Level::found(&folder, &scene.to_toml(), spacing) {
             return Ok(found);
         }
-        let options = options(folder.clone(), loaded, bars);
+        let options = RunOptions {
+            out: Some(folder.clone()),
+            force: true,
+            without_log: true,
+            page: Some(report::page_of_run),
+            warnings: loaded.warnings.clone(),
+            error_bars: bars,
+            checkpoints: Some(Checkpoints::default()),
+            interrupt,
+            ..RunOptions::default()
+        };
         let is_own = fs::read_to_string(folder.join("scene.resolved.toml")).is_ok_and(|text| text == scene.to_toml());
-        let interrupted = Resumable::open(&folder, None).ok().filter(|_| is_own && bars.is_none());
+        let interrupted = Resumable::open(&folder, None).ok().filter(|_| is_own);
         let summary = match interrupted {
             Some(begun) => begun.resume(&options)?,
             None => run(scene, &options)?,
         }
         .summary;
-        match summary.status.has_results() {
-            true => Ok(Level::of(spacing, &summary)),
-            false => {
-                Err(ExperimentError::Ended(spacing, scene.sound_speed(), summary.message.clone().unwrap_or_default()))
-            }
+        match summary.status {
+            Status::Interrupted => Err(ExperimentError::Interrupted(spacing, summary.time_end_s)),
+            status if status.has_results() => Ok(Level::of(spacing, &summary)),
+            _ => Err(ExperimentError::Ended(spacing, scene.sound_speed(), summary.message.clone().unwrap_or_default())),
         }
     }
 
@@ -93,23 +104,5 @@ impl Level {
             [(ResultName::PeakForce, "report.bandwidth"), (ResultName::PeakPressure, "report.pressure_bandwidth")];
         let set = |(name, key): (ResultName, &str)| Some(format!("{key}={:?}", self.results.get(name)?.cutoff_hz?));
         keys.into_iter().filter_map(set).collect()
-    }
-}
-
-/// Options of a run that can be continued.
-fn options<'a>(
-    folder: PathBuf,
-    loaded: &Loaded,
-    bars: Option<&'a (dyn Fn(&Summary) -> ErrorBars + Sync)>,
-) -> RunOptions<'a> {
-    RunOptions {
-        out: Some(folder),
-        force: true,
-        without_log: true,
-        page: Some(report::page_of_run),
-        warnings: loaded.warnings.clone(),
-        error_bars: bars,
-        checkpoints: bars.is_none().then(Checkpoints::default),
-        ..RunOptions::default()
     }
 }

@@ -8,6 +8,7 @@ mod level;
 mod target;
 
 use std::path::PathBuf;
+use std::sync::atomic::AtomicBool;
 
 use run::error_bar::ErrorBars;
 use run::model_hierarchy::assess;
@@ -44,6 +45,8 @@ pub struct Request {
     pub results: Vec<String>,
     /// Folder of the runs.
     pub out: PathBuf,
+    /// Set from outside to end the present run after a step; its checkpoint stays.
+    pub interrupt: Option<&'static AtomicBool>,
 }
 
 /// How it ended.
@@ -137,7 +140,7 @@ fn by_theory(
         let estimated = theory.core_seconds.unwrap_or_default();
         tell(format!("{name}: about {estimated:.1} core-s"));
         let folder = request.out.join(name);
-        let level = Level::run(&loaded, folder.clone(), None)?;
+        let level = Level::run(&loaded, folder.clone(), None, request.interrupt)?;
         spent += level.core_seconds;
         let chosen = request.chosen(&level.results);
         let results = achieved(&chosen, &level.results, &ErrorBars::new(), request.share);
@@ -164,7 +167,7 @@ fn by_particles(request: &Request, instead: bool, tell: &impl Fn(String)) -> Res
     let at_start = pilot.scene.resolution.spacing;
     let mut estimated = cost(&pilot.scene);
     tell(format!("the scene as it is, spacing {at_start:.6} m: about {estimated:.0} core-s"));
-    let first = Level::run(&pilot, folder(request, at_start), None)?;
+    let first = Level::run(&pilot, folder(request, at_start), None, request.interrupt)?;
     let chosen = request.chosen(&first.results);
     if chosen.is_empty() {
         let known: Vec<String> = first.results.named().map(|(id, _)| id.to_string()).collect();
@@ -184,7 +187,7 @@ fn by_particles(request: &Request, instead: bool, tell: &impl Fn(String)) -> Res
         for (loaded, dx) in scenes.iter().zip(&missing) {
             let studied = |summary: &Summary| bars(&loaded.scene, &levels, &Level::of(*dx, summary), &chosen);
             let bars: Option<&(dyn Fn(&Summary) -> ErrorBars + Sync)> = Some(&studied);
-            let level = Level::run(loaded, folder(request, *dx), bars.filter(|_| *dx == spacing))?;
+            let level = Level::run(loaded, folder(request, *dx), bars.filter(|_| *dx == spacing), request.interrupt)?;
             levels.push(level);
         }
         let finest = levels.iter().find(|level| level.is_at(spacing)).expect("it was run");
