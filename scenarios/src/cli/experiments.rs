@@ -200,10 +200,23 @@ const ERROR_BARS: &str =
 
 pub fn run_bands(output: &Output, args: &BandsArgs) -> Result<u8, Stop> {
     if let Some(count) = args.uncharted {
-        return run_uncharted(output, args, count as usize);
+        let cases: Vec<_> = (0..count as usize).map(|k| uncharted::draw(args.seed, k)).collect();
+        uncharted::read_all(&cases)?;
+        let about = ["Error bars between charts", "uncharted"];
+        return run_random(output, args, about, &cases, |sets| sets.join(" "), |sets| uncharted::cover(sets));
     }
     if let Some(count) = args.drops {
-        return run_drops(output, args, count as usize);
+        let drops: Vec<_> = (0..count as usize).map(|k| drops::draw(args.seed, k)).collect();
+        drops::read_all(&drops)?;
+        let about = ["Bands of quoted results", "drops"];
+        return run_random(
+            output,
+            args,
+            about,
+            &drops,
+            |drop| format!("{} {}", drop.0, drop.1.join(" ")),
+            drops::cover,
+        );
     }
     if args.selection.is_empty() {
         return list(&coverage::CASES);
@@ -213,34 +226,22 @@ pub fn run_bands(output: &Output, args: &BandsArgs) -> Result<u8, Stop> {
     Ok(DONE)
 }
 
-fn run_drops(output: &Output, args: &BandsArgs, count: usize) -> Result<u8, Stop> {
-    let drops: Vec<_> = (0..count).map(|k| drops::draw(args.seed, k)).collect();
-    drops::read_all(&drops)?;
+/// Runs cases that were drawn at random, and shows how many bars hold.
+fn run_random<C>(
+    output: &Output,
+    args: &BandsArgs,
+    [title, option]: [&str; 2],
+    cases: &[C],
+    name: impl Fn(&C) -> String,
+    cover: impl Fn(&C) -> Result<Vec<coverage::Line>, ExperimentError>,
+) -> Result<u8, Stop> {
     let mut lines = Vec::new();
-    for drop in &drops {
-        output.progress(format_args!("{} {} …", drop.0, drop.1.join(" ")));
-        lines.extend(drops::cover(drop)?);
+    for case in cases {
+        output.progress(format_args!("{} …", name(case)));
+        lines.extend(cover(case)?);
     }
-    let heading = format!(
-        "# Bands of quoted results\n\nWritten by `splashdown bands --drops {count} --seed {} --table FILE`.",
-        args.seed
-    );
-    args.selection.show(output, &lines, &heading, &uncharted::table(&lines))?;
-    Ok(DONE)
-}
-
-fn run_uncharted(output: &Output, args: &BandsArgs, count: usize) -> Result<u8, Stop> {
-    let cases: Vec<_> = (0..count).map(|k| uncharted::draw(args.seed, k)).collect();
-    uncharted::read_all(&cases)?;
-    let mut lines = Vec::new();
-    for sets in &cases {
-        output.progress(format_args!("{} …", sets.join(" ")));
-        lines.extend(uncharted::cover(sets)?);
-    }
-    let heading = format!(
-        "# Error bars between charts\n\nWritten by `splashdown bands --uncharted {count} --seed {} --table FILE`.",
-        args.seed
-    );
+    let (count, seed) = (cases.len(), args.seed);
+    let heading = format!("# {title}\n\nWritten by `splashdown bands --{option} {count} --seed {seed} --table FILE`.");
     args.selection.show(output, &lines, &heading, &uncharted::table(&lines))?;
     Ok(DONE)
 }

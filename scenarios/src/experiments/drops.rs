@@ -11,11 +11,11 @@ use run::results::time_of_impact;
 use run::{RunOptions, run};
 use scene::vocabulary::{ResultName, Verdict};
 use scene::{Scene, SceneError};
-use sph_core::SplitMix64;
 
 use super::ExperimentError;
 use super::coverage::Line;
 use super::runs::{run_to_end, scene_with};
+use super::uncharted::{SOLVERS, numbers};
 
 /// Ranges that drops are drawn from, evenly in the logarithm: breadth [m], speed [m/s], mass over ρ₀ breadth² [-], deadrise [deg], radius of an
 /// arc over its breadth [-], spacings in the draught at the peak of a wedge and in the radius of an arc [-].
@@ -28,23 +28,15 @@ const SPACINGS: [f64; 2] = [8.0, 30.0];
 const SPACINGS_OF_RADIUS: [f64; 2] = [40.0, 160.0];
 /// End of a run over the time in which the spray root would reach the chines without being slowed (Wagner 1932) [-].
 const END: [f64; 2] = [0.7, 1.3];
-/// Solvers, in turn.
-const SOLVERS: [&str; 2] = ["weakly_compressible", "incompressible"];
 /// One in this number is an arc.
 const ARCS: usize = 4;
-
-/// A number drawn evenly in the logarithm.
-fn between(random: &mut SplitMix64, [low, high]: [f64; 2]) -> f64 {
-    low * (high / low).powf(random.unit())
-}
 
 /// A drop: the name of its scene and the overrides.
 pub type Drop = (&'static str, Vec<String>);
 
 /// Drop `k` of a seed.
 pub fn draw(seed: u64, k: usize) -> Drop {
-    let mut random = SplitMix64(seed.wrapping_mul(1_000_003).wrapping_add(k as u64));
-    let mut of = |range| between(&mut random, range);
+    let mut of = numbers(seed, k);
     let (breadth, speed, mass, end) = (of(BREADTH), of(SPEED), of(MASS), of(END));
     let (deadrise, ratio) = (of(DEADRISE), of(RADIUS));
     let slope = deadrise.to_radians().tan();

@@ -17,18 +17,18 @@ const SPACINGS: [f64; 2] = [17.0, 44.0];
 /// Room on the face beyond the jet's tip [-].
 const ROOM: f64 = 1.1;
 /// Solvers, in turn.
-const SOLVERS: [&str; 2] = ["weakly_compressible", "incompressible"];
+pub(super) const SOLVERS: [&str; 2] = ["weakly_compressible", "incompressible"];
 
-/// A number drawn evenly in the logarithm.
-fn between(random: &mut SplitMix64, [low, high]: [f64; 2]) -> f64 {
-    low * (high / low).powf(random.unit())
+/// Numbers of case `k` of a seed, each drawn from a range, evenly in the logarithm.
+pub(super) fn numbers(seed: u64, k: usize) -> impl FnMut([f64; 2]) -> f64 {
+    let mut random = SplitMix64(seed.wrapping_mul(1_000_003).wrapping_add(k as u64));
+    move |[low, high]| low * (high / low).powf(random.unit())
 }
 
 /// Overrides of `wedge_constant` for case `k` of a seed: a draught of 1 m at the end, and a jet that stays on the face.
 pub fn draw(seed: u64, k: usize) -> Vec<String> {
-    let mut random = SplitMix64(seed.wrapping_mul(1_000_003).wrapping_add(k as u64));
-    let (deadrise, speed, spacings) =
-        (between(&mut random, DEADRISE), between(&mut random, SPEED), between(&mut random, SPACINGS));
+    let mut of = numbers(seed, k);
+    let (deadrise, speed, spacings) = (of(DEADRISE), of(SPEED), of(SPACINGS));
     let breadth = 2.0 * ROOM * jet_reach(deadrise).unwrap_or(1.0);
     vec![
         format!("solver={}", SOLVERS[k % SOLVERS.len()]),

@@ -2,7 +2,7 @@
 
 use super::hull::{PlaningHull, Wetted};
 
-/// Band of the lift in the range of [`PlaningHull::not_judged`]: 95 % of the errors are within it, the largest is 0.105 [-].
+/// Band of the lift in the range of [`PlaningHull::not_judged`]: more than nine of ten errors are within it, the largest is 0.105 [-].
 pub const LIFT_BAND: f64 = 0.09;
 /// Band of the place of the lift there, likewise; the largest error is 0.055, over the mean wetted length [-].
 pub const CENTRE_BAND: f64 = 0.045;

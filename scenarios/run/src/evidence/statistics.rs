@@ -102,7 +102,7 @@ mod tests {
     #[test]
     fn bias_and_scatter_are_separated_from_the_scatter_of_the_references() {
         let normal = |share: f64| {
-            // 20 quantiles have 0.96 of its deviation; inverse of the normal distribution by bisection of its tail, 20 terms of the error function's series
+            // inverse of the normal distribution by bisection, the error function by its series; 20 quantiles have 0.96 of its deviation
             let below = |x: f64| {
                 let (mut term, mut sum) = (x, x);
                 for k in 1..60 {

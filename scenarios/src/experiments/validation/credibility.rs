@@ -79,8 +79,8 @@ fn factors(c: &Counts) -> Vec<Factor> {
             name: "Data pedigree",
             level: 1,
             because: format!(
-                "each of {} references has a source; {} have an uncertainty, that of an exact solution or of a digitiser; that of the tests \
-                 themselves is known of none",
+                "each of {} references has a source; {} have an uncertainty, most of them 0 of an exact solution or that of a digitiser; the scatter \
+                 of tests is known of landings alone",
                 c.points, c.known_reference
             ),
             next: "raw measurements with an uncertainty from their authors",
