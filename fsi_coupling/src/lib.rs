@@ -83,6 +83,7 @@ pub use coupling::links::{ContactLaw, TouchRecord};
 pub use coupling::penetration::{Breach, Penetration};
 pub use coupling::placed_bodies::{PlacedBodies, WorkAudit};
 pub use coupling::quasi_newton::QuasiNewton;
+pub use coupling::relaxation_zone::RelaxationZone;
 pub use coupling::scheme::{CouplingStatistics, Iteration, Scheme};
 pub use coupling::stability_estimate::{Beside, PanelExchange, exchange_ratio};
 pub use geometry::outline::Outline;

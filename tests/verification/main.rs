@@ -36,6 +36,7 @@ mod potential_flow;
 mod potential_flow_bent;
 mod projection_bodies;
 mod quoted_peaks;
+mod relaxation_zone;
 mod rigid_body;
 mod rotating_patch;
 mod split_explicit;

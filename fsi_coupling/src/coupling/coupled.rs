@@ -17,6 +17,7 @@ use crate::coupling::links::{ContactLaw, Links, LinksMemory, TouchRecord};
 use crate::coupling::penetration::{Penetration, penetration};
 use crate::coupling::placed_bodies::{Member, PlacedBodies, WorkAudit, apply_kinematics, interfaces, load};
 use crate::coupling::quasi_newton::QuasiNewton;
+use crate::coupling::relaxation_zone::RelaxationZone;
 use crate::coupling::scheme::{CouplingStatistics, Interface, Scheme};
 use crate::geometry::outline::Outline;
 
@@ -42,6 +43,7 @@ pub struct Coupled {
     checkpoint: Option<Checkpoint>,
     refinement: Option<RefinementRule>,
     beach: Option<DampingZone>,
+    relaxation: Option<RelaxationZone>,
     tolerated_overlap: f64,
     stopped: u64,
     balance: Balance,
@@ -95,6 +97,7 @@ impl Coupled {
             checkpoint: None,
             refinement: None,
             beach: None,
+            relaxation: None,
             tolerated_overlap: TOLERATED_OVERLAP * spacing,
             stopped: 0,
             balance,
@@ -115,6 +118,11 @@ impl Coupled {
     /// The same system with a beach that absorbs waves (THEORY WA15).
     pub fn with_beach(self, zone: DampingZone) -> Coupled {
         Coupled { beach: Some(zone), ..self }
+    }
+
+    /// The same system with a zone in which the water is led to an incident wave (THEORY WA16).
+    pub fn with_relaxation(self, zone: RelaxationZone) -> Coupled {
+        Coupled { relaxation: Some(zone), ..self }
     }
 
     /// The largest step that is stable for fluid and bodies [s].
@@ -164,6 +172,9 @@ impl Coupled {
         let contact = self.resolve_contact(dt); //                               WA7: single particles
         if let Some(zone) = &self.beach {
             self.balance.absorb(&self.fluid.damp(zone, dt)); //                  WA15: the beach
+        }
+        if let Some(zone) = &self.relaxation {
+            self.balance.absorb(&zone.relax(&mut self.fluid, dt)); //            WA16: the incident wave
         }
         self.fluid.timers_mut().begin(Phase::Audit);
         self.record_work(dt, tunnelling.iter().zip(&contact).map(|(a, b)| a + b));

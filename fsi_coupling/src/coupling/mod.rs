@@ -12,6 +12,7 @@ pub mod links;
 pub mod penetration;
 pub mod placed_bodies;
 pub mod quasi_newton;
+pub mod relaxation_zone;
 pub mod scheme;
 pub mod stability_estimate;
 

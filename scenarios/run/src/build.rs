@@ -40,6 +40,10 @@ pub(crate) fn build_around(scene: &Scene, bodies: Vec<Box<dyn Body>>) -> Result<
         Some(zone) => system.with_beach(zone),
         None => system,
     };
+    let system = match scene.relaxation() {
+        Some(zone) => system.with_relaxation(zone),
+        None => system,
+    };
     Ok(match Follower::of(scene) {
         Some(follower) => system.with_refinement(Box::new(move |motion, outline| follower.zone(motion, outline))),
         None => system,

@@ -32,6 +32,8 @@ fn waves_that_cannot_be_made_are_refused() {
         (&["gauges=[{ name = \"wall\", on = \"fixed\", at = [-18.0, -0.2] }]"], &["`gauges[0].at`", "4 spacings right"]),
         (&["tank.beach.length=50"], &["`tank.beach.length` = 50", "less than the 36 m"]),
         (&["tank.beach.length=0"], &["`tank.beach.length` = 0", "above 0"]),
+        (&["tank.wave_maker.relaxation=0"], &["`tank.wave_maker.relaxation` = 0", "above 0"]),
+        (&["tank.wave_maker.relaxation=32"], &["`tank.wave_maker.relaxation` = 32", "below 31.5 m"]),
         (&["tank.wave_maker.heigth=1"], &["unknown key `tank.wave_maker.heigth`", "`tank.wave_maker.height`"]),
     ];
     for (changes, fragments) in table {
@@ -55,7 +57,8 @@ fn doubtful_waves_are_warned_of() {
     for (change, fragment) in [
         ("tank.beach.length=1.5", "0.5 wavelengths"),
         ("tank.wave_maker.height=0.2", "of the height of breaking"),
-        ("projection.calming=0.15", "of the waves' height per wavelength"),
+        ("projection.calming=0.15", "of the waves' height per wavelength: 0.02 would take"),
+        ("tank.wave_maker.relaxation=2", "0.6667 wavelengths"),
         ("time.end=20", "early for the gauge at x = 12 m"),
         ("resolution.spacing=0.03", "spacings high lose height"),
     ] {

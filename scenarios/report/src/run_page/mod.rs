@@ -18,6 +18,7 @@ mod structure;
 mod table;
 mod tables;
 mod theories;
+mod waves;
 
 use std::path::Path;
 
@@ -53,6 +54,7 @@ pub fn report(dir: &Path) -> Result<String, FolderError> {
         ("Curves", figure_blocks(&charts::figures(&run), HINT)),
         ("Structure", [figure_blocks(&structure::figures(&run), ""), structure::tables(&run)].concat()),
         ("Results in detail", [tables::results_section(&run), tables::gauge_section(record)].concat()),
+        ("In waves", waves::waves_section(record)),
         ("Against references", references::section(&run)),
         ("Error bars", tables::error_bars_section(record)),
         ("Moments", moments),

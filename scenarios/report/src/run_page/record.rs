@@ -41,6 +41,7 @@ pub(crate) struct Record {
     pub panels: BTreeMap<String, Panel>,
     pub gauges: BTreeMap<String, Gauge>,
     pub acceleration_filtered: Option<Filtered>,
+    pub waves: Waves,
 }
 
 impl Record {
@@ -195,6 +196,56 @@ pub(crate) struct Gauge {
     pub impulse_pa_s: Option<f64>,
     pub length_m: Option<f64>,
     pub bandwidth_hz: Option<f64>,
+}
+
+/// The waves of a wave maker.
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(default)]
+pub(crate) struct Waves {
+    pub bodies: Vec<BodyInWaves>,
+}
+
+/// A body in them: loads and motions by the names of their columns.
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(default)]
+pub(crate) struct BodyInWaves {
+    pub body: String,
+    pub window_s: [f64; 2],
+    pub periods: u64,
+    pub incident_m: Option<f64>,
+    pub reflected_m: Option<f64>,
+    pub transmitted_m: Option<f64>,
+    #[serde(rename = "fx_N_per_m")]
+    pub fx: Harmonics,
+    #[serde(rename = "fy_N_per_m")]
+    pub fy: Harmonics,
+    #[serde(rename = "moment_N")]
+    pub moment: Harmonics,
+    pub x_m: Harmonics,
+    pub y_m: Harmonics,
+    pub angle_deg: Harmonics,
+}
+
+/// Mean and harmonics, each with its interval.
+#[derive(Clone, Copy, Debug, Default, Deserialize)]
+#[serde(default)]
+pub(crate) struct Harmonics {
+    pub mean: f64,
+    pub mean_plus_minus: f64,
+    pub first: f64,
+    pub first_plus_minus: f64,
+    pub second: f64,
+    pub second_plus_minus: f64,
+    pub per_amplitude: Option<PerAmplitude>,
+}
+
+/// The same over powers of the incident amplitude.
+#[derive(Clone, Copy, Debug, Default, Deserialize)]
+#[serde(default)]
+pub(crate) struct PerAmplitude {
+    pub mean: f64,
+    pub first: f64,
+    pub second: f64,
 }
 
 /// The filtered acceleration.

@@ -2,13 +2,16 @@
 
 use std::f64::consts::{PI, TAU};
 
+use fsi_coupling::geometry::polygon;
 use scene::vocabulary::Doubt;
 use scene::{Scene, full_waves_by, waves_end_early};
 use serde::Serialize;
 use settings::significant;
 use water_entry::waves::separation::{Amplitude, separate};
 
+use super::harmonics::over_a_period;
 use super::series::Series;
+use super::wave_loads::BodyInWaves;
 
 /// Periods at the end of the run over which harmonics are taken.
 const PERIODS: f64 = 4.0;
@@ -38,6 +41,9 @@ pub struct Waves {
     /// they are half a wavelength apart.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub reflection: Option<f64>,
+    /// Bodies in them, where two whole periods count.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub bodies: Vec<BodyInWaves>,
 }
 
 /// The wave at a place.
@@ -88,8 +94,14 @@ impl Series {
         let gauges: Vec<WaveGauge> = amplitudes.iter().map(|(x, a)| gauge(*x, a, maker.height)).collect();
         // before the full wave has passed a place, what is there is not regular
         let settled = |x: f64| full_waves_by(scene, x).is_some_and(|by| by <= scene.time.end);
-        let regular: Vec<(f64, Amplitude)> = amplitudes.iter().filter(|(x, _)| settled(*x)).copied().collect();
-        let of_regular = gauges.iter().filter(|g| settled(g.x_m));
+        // waves that a body sends back stand before it: without bodies all gauges count, else those behind the last one
+        let behind = scene
+            .all_bodies()
+            .map(|b| polygon::bounding_box(&b.placed_outline())[1][0])
+            .fold(f64::NEG_INFINITY, f64::max);
+        let counts = |x: f64| settled(x) && x > behind;
+        let regular: Vec<(f64, Amplitude)> = amplitudes.iter().filter(|(x, _)| counts(*x)).copied().collect();
+        let of_regular = gauges.iter().filter(|g| counts(g.x_m));
         let decays: Vec<[f64; 2]> = of_regular.map(|g| [g.x_m, g.height_m.ln()]).collect();
         let probes = &regular[regular.len().saturating_sub(PROBES)..];
         let separated = Some(probes).filter(|probes| probes.len() == PROBES).and_then(|probes| separate(k, probes));
@@ -102,6 +114,7 @@ impl Series {
             phase_speed_ratio: slope(&phases(k, &regular)).map(|late| k / (k + late)),
             decay_per_length: slope(&decays).map(|rate| 1.0 - (rate * wave.length()).exp()),
             reflection: separated.map(|[right, left]| left[0].hypot(left[1]) / right[0].hypot(right[1])),
+            bodies: self.bodies_in_waves(scene),
         })
     }
 }
@@ -132,30 +145,12 @@ fn slope(points: &[[f64; 2]]) -> Option<f64> {
     (points.len() >= 2 && below > 0.0).then(|| above / below)
 }
 
-/// (2/nT) ∫ η exp(−iωt) dt over the last n periods T of a curve (time, η), by the trapezoidal rule, of η less its mean.
+/// (2/nT) ∫ η exp(−iωt) dt over the last n periods T of a curve (time, η), by the trapezoidal rule, of η less its mean in each.
 fn first_harmonic(curve: &[[f64; 2]], omega: f64) -> Option<Amplitude> {
-    let window = PERIODS * TAU / omega;
-    let (start, end) = (curve.first()?[0], curve.last()?[0]);
-    let from = end - window;
-    if from < start {
-        return None;
-    }
-    let mut points: Vec<[f64; 2]> = curve.iter().filter(|p| p[0] > from).copied().collect();
-    let k = curve.partition_point(|p| p[0] <= from);
-    let (a, b) = (curve[k - 1], curve[k]);
-    points.insert(0, [from, a[1] + (from - a[0]) / (b[0] - a[0]) * (b[1] - a[1])]);
-    let integral = |f: &dyn Fn(f64) -> f64| {
-        points
-            .windows(2)
-            .map(|p| 0.5 * (p[1][0] - p[0][0]) * (p[0][1] * f(p[0][0]) + p[1][1] * f(p[1][0])))
-            .sum::<f64>()
-    };
-    let mean = integral(&|_| 1.0) / window;
-    let ones = |f: &dyn Fn(f64) -> f64| {
-        points.windows(2).map(|p| 0.5 * (p[1][0] - p[0][0]) * (f(p[0][0]) + f(p[1][0]))).sum::<f64>()
-    };
-    let part = |f: &dyn Fn(f64) -> f64| 2.0 / window * (integral(f) - mean * ones(f));
-    Some([part(&|t| (omega * t).cos()), -part(&|t| (omega * t).sin())])
+    let (end, period) = (curve.last()?[0], TAU / omega);
+    let each = (1..=PERIODS as usize).map(|k| Some(over_a_period(curve, omega, end - k as f64 * period)?[1]));
+    let each: Vec<Amplitude> = each.collect::<Option<_>>()?;
+    Some([0, 1].map(|part| each.iter().map(|a| a[part]).sum::<f64>() / PERIODS))
 }
 
 #[cfg(test)]
@@ -174,6 +169,7 @@ mod tests {
                 phase_speed_ratio: None,
                 decay_per_length: Some(decay),
                 reflection: None,
+                bodies: Vec::new(),
             };
             waves.grow().is_some_and(|why| why.contains("grows by 5 %"))
         };

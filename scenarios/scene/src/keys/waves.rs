@@ -1,8 +1,10 @@
 //! Waves that are made at the left end of the tank and absorbed at the right.
 
+use fsi_coupling::RelaxationZone;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use sph_core::DampingZone;
+use water_entry::waves::incident_wave::IncidentWave;
 use water_entry::waves::linear_wave::LinearWave;
 use water_entry::waves::piston_motion::PistonMotion;
 
@@ -29,6 +31,11 @@ pub struct WaveMaker {
     /// The piston's second harmonic of Madsen (1971), without which a free wave of half the period runs behind the waves.
     #[serde(default = "usual::second_order")]
     pub second_order: bool,
+    /// Length from the piston in which the water is led to the waves asked for, once they fill it, so that waves that come back are
+    /// absorbed (THEORY WA16) [m]. absent: none, and the run ends before waves come back twice.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0, "x-default" = "none"))]
+    pub relaxation: Option<f64>,
 }
 
 /// Water whose motion is damped before the right wall, and before both with symmetry = x (THEORY WA15).
@@ -46,6 +53,8 @@ pub struct Beach {
 
 /// Rate of an automatic beach over √(g d)/L [-].
 const BEACH_RATE: f64 = 8.0;
+/// Rate of a relaxation zone at the piston over c_g/L [-]: waves that come back leave it with exp(−⅔ of it) of their height.
+const RELAXATION_RATE: f64 = 6.0;
 
 mod usual {
     pub fn ramp() -> f64 {
@@ -69,6 +78,18 @@ impl Scene {
     pub fn piston(&self) -> Option<PistonMotion> {
         let WaveMaker { height, ramp, second_order, .. } = self.tank.wave_maker?;
         Some(PistonMotion::of(&self.wave()?, height, ramp, second_order))
+    }
+
+    /// WA16: the zone before the wave maker in which the water is led to its waves; `None` without one.
+    pub fn relaxation(&self) -> Option<RelaxationZone> {
+        let WaveMaker { height, ramp, relaxation, .. } = self.tank.wave_maker?;
+        let (length, wave, piston) = (relaxation?, self.wave()?, -0.5 * self.tank.width);
+        let rate = RELAXATION_RATE * wave.group_speed() / length;
+        Some(RelaxationZone {
+            zone: DampingZone { from: piston + length, length: -length, rate },
+            wave: IncidentWave::of(wave, height, piston),
+            growth: [ramp * wave.period() + length / wave.group_speed(), wave.period()],
+        })
     }
 
     /// The water that a beach damps; `None` without one.

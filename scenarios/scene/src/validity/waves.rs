@@ -16,6 +16,8 @@ const CLEAR_OF_PISTON: f64 = 4.0;
 const RESOLVED_HEIGHT: f64 = 4.0;
 /// Share of its height that a wave may lose per wavelength by viscosity [-].
 const LARGEST_LOSS: f64 = 0.01;
+/// Calming below which noise beside a body took more of the waves than less calming saved (section in waves, 10 spacings per draught) [-].
+const LEAST_CALMING: f64 = 0.02;
 /// Height over that of breaking from which waves are no longer those of linear theory [-].
 const STEEP: f64 = 0.5;
 /// H L²/d³ from which a second harmonic does not make the shape of the wave (Madsen 1971) [-].
@@ -74,6 +76,10 @@ fn check_wave_maker(scene: &Scene, maker: &WaveMaker) -> Result<(), Problem> {
     let crest = scene.tank.depth + maker.height;
     let expected = format_args!("at least {} m, above the crests", significant(crest));
     require(scene.tank.height >= crest, "tank.height", scene.tank.height, expected)?;
+    let between = scene.tank.width - scene.tank.beach.map_or(0.0, |beach| beach.length);
+    let relaxation = maker.relaxation.unwrap_or(0.5 * between);
+    let expected = format_args!("above 0 and below {} m, the width of the tank less the beach", significant(between));
+    require(relaxation > 0.0 && relaxation < between, &key("relaxation"), relaxation, expected)?;
     check_way_of_piston(scene, -0.5 * scene.tank.width + piston.reach())
 }
 
@@ -162,10 +168,22 @@ pub(crate) fn wave_warnings(scene: &Scene) -> Vec<String> {
     }
     let (key, given, loss) = viscous_loss(scene, &wave);
     if loss > LARGEST_LOSS {
+        let less = if key == "projection.calming" { LEAST_CALMING } else { 0.1 * given };
+        let instead = if less < given {
+            format!("{} would take {}", significant(less), significant(loss * less / given))
+        } else {
+            "a finer spacing takes less; less calming leaves noise that takes more".into()
+        };
         warnings.push(format!(
-            "{key} = {given} takes {} of the waves' height per wavelength: {} would take a tenth of it",
-            significant(loss),
-            significant(0.1 * given)
+            "{key} = {given} takes {} of the waves' height per wavelength: {instead}",
+            significant(loss)
+        ));
+    }
+    if let Some(relaxation) = maker.relaxation.filter(|relaxation| *relaxation < 0.9 * length) {
+        warnings.push(format!(
+            "tank.wave_maker.relaxation = {relaxation} m is {} wavelengths: a zone shorter than one, {} m, sends waves back",
+            significant(relaxation / length),
+            significant(length)
         ));
     }
     warnings.extend(early_end(scene));

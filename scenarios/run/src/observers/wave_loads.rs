@@ -1,0 +1,141 @@
+//! A body in regular waves: harmonics and means of its loads and motions, and the waves before and behind it (THEORY GE29).
+
+use fsi_coupling::geometry::polygon;
+use scene::Scene;
+use serde::Serialize;
+use water_entry::waves::linear_wave::LinearWave;
+use water_entry::waves::separation::{Amplitude, separate};
+
+use super::harmonics::{Harmonics, harmonics, over_a_period};
+use super::series::Series;
+
+/// Fewest periods that a mean is taken over.
+const FEWEST: usize = 2;
+
+/// Loads and motions of a body in the regular waves of a wave maker, over the whole periods in which neither the front of the waves nor waves
+/// that come back from the piston are at the body.
+#[derive(Clone, Debug, Serialize)]
+pub struct BodyInWaves {
+    /// Its name.
+    pub body: String,
+    /// First and last time of the periods [s].
+    pub window_s: [f64; 2],
+    /// Their number.
+    pub periods: usize,
+    /// Amplitude of the waves that arrive, from the gauges before it [m]; absent with fewer than two.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub incident_m: Option<f64>,
+    /// Amplitude of the waves that it sends back [m].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reflected_m: Option<f64>,
+    /// Amplitude of the waves that run on behind it, from the gauges there [m]; absent with fewer than two.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub transmitted_m: Option<f64>,
+    /// Force along x [N/m].
+    #[serde(rename = "fx_N_per_m")]
+    pub fx: Harmonics,
+    /// Force along y [N/m].
+    #[serde(rename = "fy_N_per_m")]
+    pub fy: Harmonics,
+    /// Moment [N].
+    #[serde(rename = "moment_N")]
+    pub moment: Harmonics,
+    /// Displacement of its centre of mass along x [m].
+    #[serde(rename = "x_m")]
+    pub x: Harmonics,
+    /// Displacement of its centre of mass along y [m].
+    #[serde(rename = "y_m")]
+    pub y: Harmonics,
+    /// Rotation, counter-clockwise [deg].
+    #[serde(rename = "angle_deg")]
+    pub angle: Harmonics,
+}
+
+/// The periods that count, and the time before waves.
+struct Window {
+    to: f64,
+    periods: usize,
+    /// While the water before the body is still [s].
+    rest: [f64; 2],
+}
+
+impl Series {
+    /// GE29: each body in the waves of a run's wave maker; a body without two periods is left out.
+    pub fn bodies_in_waves(&self, scene: &Scene) -> Vec<BodyInWaves> {
+        scene.all_bodies().filter_map(|body| self.body_in_waves(scene, body)).collect()
+    }
+
+    fn body_in_waves(&self, scene: &Scene, body: &scene::Body) -> Option<BodyInWaves> {
+        let (wave, [min, max]) = (scene.wave()?, polygon::bounding_box(&body.placed_outline()));
+        let gauges = &scene.observe.level;
+        let clear = scene.relaxation().map_or(f64::NEG_INFINITY, |zone| zone.zone.from);
+        let before: Vec<f64> = gauges.iter().copied().filter(|x| *x < min[0] && *x >= clear).collect();
+        let behind: Vec<f64> = gauges.iter().copied().filter(|x| *x > max[0]).collect();
+        let farthest = before.iter().copied().fold(min[0], f64::min);
+        let window = window(scene, &wave, min[0], min[0] - farthest, self.rows().last()?[0])?;
+        let omega = wave.angular_frequency;
+        let amplitudes = |places: &[f64]| {
+            let found = places.iter().map(|x| Some((*x, self.mean_amplitude(scene, *x, omega, &window)?)));
+            separate(wave.wave_number, &found.collect::<Option<Vec<_>>>()?)
+                .map(|both| both.map(|[re, im]| re.hypot(im)))
+        };
+        let (arriving, leaving) = (amplitudes(&before), amplitudes(&behind));
+        let incident = arriving.map(|[right, _]| right);
+        let of = |value: &dyn Fn(&[f64]) -> f64| {
+            let curve: Vec<[f64; 2]> = self.rows().iter().map(|row| [row[0], value(row)]).collect();
+            let still: Vec<f64> =
+                curve.iter().filter(|p| p[0] >= window.rest[0] && p[0] <= window.rest[1]).map(|p| p[1]).collect();
+            let rest =
+                if still.is_empty() { curve.first()?[1] } else { still.iter().sum::<f64>() / still.len() as f64 };
+            harmonics(&curve, omega, window.to, window.periods, rest).map(|found| found.over(incident))
+        };
+        let column = |name: &str| {
+            let name = format!("{}.{name}", body.name);
+            self.columns().iter().position(|column| *column == name)
+        };
+        let plain = |name: &str| column(name).and_then(|column| of(&|row| row[column]));
+        let (x, y, angle, [cx, cy]) = (column("x_m")?, column("y_m")?, column("angle_deg")?, body.center_of_mass);
+        let centre = |row: &[f64]| {
+            let (sin, cos) = row[angle].to_radians().sin_cos();
+            [row[x] + cx * cos - cy * sin, row[y] + cx * sin + cy * cos]
+        };
+        Some(BodyInWaves {
+            body: body.name.clone(),
+            window_s: [window.to - window.periods as f64 * wave.period(), window.to],
+            periods: window.periods,
+            incident_m: incident,
+            reflected_m: arriving.map(|[_, left]| left),
+            transmitted_m: leaving.map(|[right, _]| right),
+            fx: plain("fx_N_per_m")?,
+            fy: plain("fy_N_per_m")?,
+            moment: plain("moment_N")?,
+            x: of(&|row| centre(row)[0])?,
+            y: of(&|row| centre(row)[1])?,
+            angle: plain("angle_deg")?,
+        })
+    }
+
+    /// Mean over the window of the first harmonic at a gauge [m].
+    fn mean_amplitude(&self, scene: &Scene, x: f64, omega: f64, window: &Window) -> Option<Amplitude> {
+        let gauge = scene.observe.level.iter().position(|at| *at == x)?;
+        let column = self.columns().iter().position(|column| column == "level1_m")? + gauge;
+        let curve: Vec<[f64; 2]> = self.rows().iter().map(|row| [row[0], row[column]]).collect();
+        let (period, count) = (std::f64::consts::TAU / omega, window.periods);
+        let each = (0..count).map(|k| Some(over_a_period(&curve, omega, window.to - (k + 1) as f64 * period)?[1]));
+        let each: Vec<Amplitude> = each.collect::<Option<_>>()?;
+        Some([0, 1].map(|part| each.iter().map(|a| a[part]).sum::<f64>() / count as f64))
+    }
+}
+
+/// From when full waves, and those that the body sent back, have passed the gauges up to `reach` [m] before the body at x [m], to the end of the run or
+/// to when waves from the body are back from the piston.
+fn window(scene: &Scene, wave: &LinearWave, x: f64, reach: f64, end: f64) -> Option<Window> {
+    let maker = scene.tank.wave_maker?;
+    let (way, speed, period) = (x + 0.5 * scene.tank.width, wave.group_speed(), wave.period());
+    let absorbed = scene.relaxation().is_some();
+    let to = if absorbed { end } else { end.min(3.0 * way / speed) };
+    let from = (way + reach) / speed + (maker.ramp + 1.0) * period;
+    let periods = ((to - from) / period).floor();
+    let first = way / (scene.gravity[1].abs() * wave.depth).sqrt();
+    (periods >= FEWEST as f64).then(|| Window { to, periods: periods as usize, rest: [0.5 * first, first] })
+}
