@@ -13,6 +13,7 @@
 use fsi_coupling::geometry::layout::tile;
 use fsi_coupling::natural_frequencies;
 use run::model_hierarchy::{Assessment, assess};
+use run::observers::wave_theory;
 use scene::{
     Body, CouplingScheme, Entry, ExchangeRatio, Modes, OutlineReport, Panel, QuantityOfInterest, Scene, Symmetry,
     cost_of_step, estimated_steps, known_compressibility_error, layout, line, memory_estimate, panel_exchanges,
@@ -72,6 +73,9 @@ pub struct Preflight {
     /// The theories: range of validity, cost, and error of the largest force.
     #[serde(rename = "ladder")]
     pub theories: Vec<Assessment>,
+    /// Amplitudes of loads or motions in the waves asked for, by linear potential theory in place of the run (THEORY WA17).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub in_waves: Option<String>,
     /// What was understood of the file of `body.outline`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub outline: Option<OutlineReport>,
@@ -160,6 +164,7 @@ pub fn preflight(scene: &Scene, warnings: &[String]) -> Preflight {
             .entry()
             .filter(|_| scene.bodies.is_empty())
             .map_or(Vec::new(), |_| assess(scene, QuantityOfInterest::PeakForce)),
+        in_waves: scene.tank.wave_maker.and_then(|maker| Some(wave_theory(scene)?.to_text(0.5 * maker.height))),
         outline: None,
         warnings: warnings.to_vec(),
     }
@@ -225,6 +230,7 @@ impl Preflight {
         lines.extend(self.outline.iter().map(OutlineReport::to_text));
         lines.extend(self.choice.iter().map(|why| format!("             chosen: {why}")));
         lines.extend(self.theories.iter().map(theory_line));
+        lines.extend(self.in_waves.iter().map(|text| format!("linear waves {text}")));
         if !self.theories.is_empty() {
             lines.push(format!("  {:<17}about {:.0} core-seconds", "particles", self.core_seconds));
         }

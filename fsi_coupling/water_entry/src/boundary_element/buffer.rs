@@ -11,7 +11,7 @@ thread_local! {
 }
 
 /// An array that goes back to the store of its thread when it is dropped.
-pub(super) struct Buffer(Vec<f64>);
+pub(crate) struct Buffer(Vec<f64>);
 
 impl Buffer {
     /// Zeros.

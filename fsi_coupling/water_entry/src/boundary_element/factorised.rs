@@ -9,7 +9,7 @@ use faer::{MatMut, MatRef, Par};
 use super::buffer::Buffer;
 
 /// Equations of as many unknowns.
-pub(super) struct Factorised {
+pub(crate) struct Factorised {
     /// Factors of the transposed matrix, by columns.
     factors: Buffer,
     size: usize,

@@ -23,7 +23,9 @@ use std::f64::consts::FRAC_2_PI;
 
 use faer::c64;
 
+pub(crate) use buffer::Buffer;
 pub use entry::{FlowEntry, FlowHistory};
+pub(crate) use factorised::Factorised;
 pub use rolled::{RolledEntry, RolledFlow, RolledInstant, RolledLoad};
 pub use solution::FlowLoad;
 pub use state::EntryFlow;

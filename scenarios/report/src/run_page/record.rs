@@ -246,6 +246,8 @@ pub(crate) struct PerAmplitude {
     pub mean: f64,
     pub first: f64,
     pub second: f64,
+    pub first_by_theory: Option<f64>,
+    pub mean_by_theory: Option<f64>,
 }
 
 /// The filtered acceleration.

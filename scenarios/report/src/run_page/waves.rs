@@ -23,7 +23,7 @@ fn of_body(body: &BodyInWaves) -> Vec<Block> {
     let text = format!(
         "{}: mean and harmonics over {} periods, {from:.2} to {to:.2} s. ± is the 95 % interval of their mean by the scatter from period to \
          period; it does not hold what the spacing takes. The mean is less that before the waves.{amplitudes} Over a: per metre of incident \
-         amplitude, mean and second harmonic per square metre.",
+         amplitude, mean and second harmonic per square metre. By theory: linear potential theory.",
         body.body, body.periods
     );
     let rows = [
@@ -57,7 +57,9 @@ fn row_of(name: &str, h: &Harmonics) -> Vec<String> {
         with(h.first, h.first_plus_minus),
         with(h.second, h.second_plus_minus),
         over(per.map(|p| p.mean)),
+        over(per.and_then(|p| p.mean_by_theory)),
         over(per.map(|p| p.first)),
+        over(per.and_then(|p| p.first_by_theory)),
         over(per.map(|p| p.second)),
     ]
 }

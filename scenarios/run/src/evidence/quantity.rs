@@ -77,7 +77,9 @@ const TABLE: [(Quantity, &str); 21] = [
 ];
 
 /// Parts of a number's path, or of a comparison's text, and what they say; the first row that fits counts.
-const WORDS: [(&str, Quantity); 37] = [
+const WORDS: [(&str, Quantity); 39] = [
+    ("per_amplitude/mean", Quantity::Drift),
+    ("y_m/per_amplitude", Quantity::Position),
     ("lift_coefficient", Quantity::PlaningLift),
     ("center_of_pressure", Quantity::CentreOfPressure),
     ("deceleration_g", Quantity::LandingDeceleration),

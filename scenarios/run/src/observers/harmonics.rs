@@ -37,15 +37,23 @@ pub struct PerAmplitude {
     pub first: f64,
     /// Second harmonic over a².
     pub second: f64,
+    /// First harmonic over a by linear potential theory (THEORY WA17); absent where it has none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub first_by_theory: Option<f64>,
+    /// Mean over a² by the same.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mean_by_theory: Option<f64>,
 }
 
 impl Harmonics {
-    /// The same with its response to waves of an amplitude [m].
-    pub(super) fn over(self, amplitude: Option<f64>) -> Harmonics {
+    /// The same with its response to waves of an amplitude [m], beside first harmonic and mean by theory.
+    pub(super) fn over(self, amplitude: Option<f64>, [first, mean]: [Option<f64>; 2]) -> Harmonics {
         let per_amplitude = amplitude.filter(|a| *a > 0.0).map(|a| PerAmplitude {
             mean: self.mean / (a * a),
             first: self.first / a,
             second: self.second / (a * a),
+            first_by_theory: first,
+            mean_by_theory: mean,
         });
         Harmonics { per_amplitude, ..self }
     }

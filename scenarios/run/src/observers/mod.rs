@@ -18,6 +18,7 @@ mod similarity;
 mod source;
 mod surface_impulse;
 mod wave_loads;
+mod wave_theory;
 mod waves;
 
 use std::io;
@@ -41,6 +42,7 @@ pub use series::Series;
 pub use similarity::FROM as SIMILARITY_FROM;
 pub use similarity::{SimilarityResult, SimilarityWindow};
 pub use wave_loads::BodyInWaves;
+pub use wave_theory::{WaveTheory, wave_theory};
 pub(crate) use waves::unlikely_waves;
 pub use waves::{WaveGauge, Waves};
 

@@ -8,6 +8,7 @@ use water_entry::waves::separation::{Amplitude, separate};
 
 use super::harmonics::{Harmonics, harmonics, over_a_period};
 use super::series::Series;
+use super::wave_theory::wave_theory;
 
 /// Fewest periods that a mean is taken over.
 const FEWEST: usize = 2;
@@ -37,7 +38,7 @@ pub struct BodyInWaves {
     /// Force along y [N/m].
     #[serde(rename = "fy_N_per_m")]
     pub fy: Harmonics,
-    /// Moment [N].
+    /// Moment about its centre of mass [N].
     #[serde(rename = "moment_N")]
     pub moment: Harmonics,
     /// Displacement of its centre of mass along x [m].
@@ -81,24 +82,28 @@ impl Series {
         };
         let (arriving, leaving) = (amplitudes(&before), amplitudes(&behind));
         let incident = arriving.map(|[right, _]| right);
-        let of = |value: &dyn Fn(&[f64]) -> f64| {
+        let theory = wave_theory(scene).filter(|_| scene.bodies.is_empty()).unwrap_or_default();
+        let of = |value: &dyn Fn(&[f64]) -> f64, theory: [Option<f64>; 2]| {
             let curve: Vec<[f64; 2]> = self.rows().iter().map(|row| [row[0], value(row)]).collect();
             let still: Vec<f64> =
                 curve.iter().filter(|p| p[0] >= window.rest[0] && p[0] <= window.rest[1]).map(|p| p[1]).collect();
             let rest =
                 if still.is_empty() { curve.first()?[1] } else { still.iter().sum::<f64>() / still.len() as f64 };
-            harmonics(&curve, omega, window.to, window.periods, rest).map(|found| found.over(incident))
+            harmonics(&curve, omega, window.to, window.periods, rest).map(|found| found.over(incident, theory))
         };
         let column = |name: &str| {
             let name = format!("{}.{name}", body.name);
             self.columns().iter().position(|column| *column == name)
         };
-        let plain = |name: &str| column(name).and_then(|column| of(&|row| row[column]));
+        let plain = |name: &str, theory| column(name).and_then(|column| of(&|row| row[column], theory));
+        let ([fx, fy, moment], [of_x, of_y, of_angle]) = (theory.loads, theory.motions);
         let (x, y, angle, [cx, cy]) = (column("x_m")?, column("y_m")?, column("angle_deg")?, body.center_of_mass);
-        let centre = |row: &[f64]| {
+        let arm = |row: &[f64]| {
             let (sin, cos) = row[angle].to_radians().sin_cos();
-            [row[x] + cx * cos - cy * sin, row[y] + cx * sin + cy * cos]
+            [cx * cos - cy * sin, cx * sin + cy * cos]
         };
+        let [at_origin, along_x, along_y] = [column("moment_N")?, column("fx_N_per_m")?, column("fy_N_per_m")?];
+        let about = |row: &[f64]| arm(row)[0] * row[along_y] - arm(row)[1] * row[along_x];
         Some(BodyInWaves {
             body: body.name.clone(),
             window_s: [window.to - window.periods as f64 * wave.period(), window.to],
@@ -106,12 +111,12 @@ impl Series {
             incident_m: incident,
             reflected_m: arriving.map(|[_, left]| left),
             transmitted_m: leaving.map(|[right, _]| right),
-            fx: plain("fx_N_per_m")?,
-            fy: plain("fy_N_per_m")?,
-            moment: plain("moment_N")?,
-            x: of(&|row| centre(row)[0])?,
-            y: of(&|row| centre(row)[1])?,
-            angle: plain("angle_deg")?,
+            fx: plain("fx_N_per_m", [fx, theory.drift])?,
+            fy: plain("fy_N_per_m", [fy, None])?,
+            moment: of(&|row| row[at_origin] - about(row), [moment, None])?,
+            x: of(&|row| row[x] + arm(row)[0], [of_x, None])?,
+            y: of(&|row| row[y] + arm(row)[1], [of_y, None])?,
+            angle: plain("angle_deg", [of_angle, None])?,
         })
     }
 
