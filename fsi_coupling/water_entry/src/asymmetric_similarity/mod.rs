@@ -176,6 +176,10 @@ mod tests {
         AsymmetricFlow::solve(left.to_radians(), right.to_radians()).expect("a solution")
     }
 
+    fn oblique(left: f64, right: f64, ratio: f64) -> AsymmetricFlow {
+        AsymmetricFlow::oblique(left.to_radians(), right.to_radians(), ratio).expect("a solution")
+    }
+
     /// Equal faces: the solution of Dobrovolskaya (1969), which uses other equations.
     #[test]
     fn equal_faces_are_those_of_a_symmetric_wedge() {
@@ -218,6 +222,34 @@ mod tests {
         assert!(pairs.iter().all(|(a, b)| (a - b).abs() < 1e-7 * a.abs()), "{pairs:?}");
     }
 
+    /// With a speed sideways too: mass, momentum, energy and the angular momentum about the moving apex are kept.
+    #[test]
+    fn oblique_entry_keeps_momentum_energy_and_mass() {
+        for (left, right, ratio) in
+            [(30.0, 30.0, 0.25), (30.0, 30.0, 1.0), (20.0, 40.0, 0.25), (20.0, 40.0, -0.5), (12.0, 12.0, 1.9)]
+        {
+            let flow = oblique(left, right, ratio);
+            let Balance { force: [x, y], moment, force_from_energy, flux } = flow.balance;
+            let of = [x / flow.force[0], y / flow.force[1], force_from_energy / flow.force[1], moment / flow.moment];
+            assert!(of.iter().all(|of| (of - 1.0).abs() < 5e-4), "{left}°, {right}°, {ratio}: {of:.6?}");
+            assert!(flux.abs() < 1e-4, "{left}°, {right}°, {ratio}: {flux:e}");
+        }
+    }
+
+    /// A symmetric wedge: the vertical force is even in U/V, the horizontal one and the moment are odd and begin in proportion.
+    #[test]
+    fn a_small_speed_sideways_changes_the_load_in_proportion() {
+        let (still, small, back, twice) =
+            (flow(30.0, 30.0), oblique(30.0, 30.0, 0.02), oblique(30.0, 30.0, -0.02), oblique(30.0, 30.0, 0.04));
+        let vertical = |flow: &AsymmetricFlow| flow.force[1] / still.force[1] - 1.0;
+        assert!((vertical(&small) - vertical(&back)).abs() < 1e-8, "{:e} {:e}", vertical(&small), vertical(&back));
+        assert!((vertical(&twice) / vertical(&small) - 4.0).abs() < 0.05, "{:e}", vertical(&twice));
+        for of in [|flow: &AsymmetricFlow| flow.force[0], |flow: &AsymmetricFlow| flow.moment] {
+            assert!((of(&small) + of(&back)).abs() < 1e-7 * of(&small).abs(), "{} {}", of(&small), of(&back));
+            assert!((of(&twice) / of(&small) - 2.0).abs() < 1e-3, "{} {}", of(&small), of(&twice));
+        }
+    }
+
     /// Half and a quarter of the usual step: the differences fall by an order of four and more.
     #[test]
     fn it_converges_with_the_number_of_nodes() {
@@ -243,6 +275,8 @@ mod tests {
         let why =
             |left: f64, right: f64| AsymmetricFlow::solve(left.to_radians(), right.to_radians()).expect_err("none").why;
         assert!(why(20.0, 80.0).contains("leaves the apex") && why(80.0, 20.0).contains("leaves the apex"));
+        let oblique = |ratio: f64| AsymmetricFlow::oblique(0.8, 0.8, ratio).expect_err("none").why;
+        assert!(oblique(1.0).contains("leaves the apex") && oblique(-3.0).contains("-2 to 2"));
         assert!(why(3.0, 20.0).contains("4 to 80") && why(f64::NAN, 20.0).contains("4 to 80"));
     }
 }
