@@ -5,6 +5,7 @@
 //! finite.
 
 mod grid;
+mod plate;
 mod side;
 mod solve;
 mod sums;
@@ -12,9 +13,11 @@ mod system;
 
 use std::cell::RefCell;
 
+pub use plate::{NoPlateFlow, PlateFlow};
 pub use side::FaceFlow;
 
 use grid::Grid;
+use sums::Sums;
 use system::{System, Trial};
 
 /// Deadrises [rad] and U/V, and their flow.
@@ -58,6 +61,19 @@ pub struct Balance {
     pub force_from_energy: f64,
     /// Flux through the whole boundary over that through the faces [-].
     pub flux: f64,
+}
+
+impl Balance {
+    /// Of the integrals over the boundary, U/V, F_x and the flux through the faces.
+    fn of(sums: &Sums, ratio: f64, sideways: f64, through: f64) -> Balance {
+        let [p_x, p_y] = sums.momentum;
+        Balance {
+            force: [-2.0 * p_x, -2.0 * p_y],
+            moment: -3.0 * sums.angular + 2.0 * (p_x + ratio * p_y),
+            force_from_energy: sums.energy + ratio * sideways,
+            flux: sums.flux / through,
+        }
+    }
 }
 
 /// There is no such flow.
@@ -144,18 +160,11 @@ impl AsymmetricFlow {
         let [f_r, f_l] = [right.force_coefficient, left.force_coefficient];
         let force = [f_l * sin_l - f_r * sin_r, f_l * cos_l + f_r * cos_r];
         let sums = on_right.plus(&on_left.mirrored(), 1.0);
-        let [p_x, p_y] = sums.momentum;
         let through = [right.length * (cos_r + ratio * sin_r), left.length * (cos_l - ratio * sin_l)];
-        let balance = Balance {
-            force: [-2.0 * p_x, -2.0 * p_y],
-            moment: -3.0 * sums.angular + 2.0 * (p_x + ratio * p_y),
-            force_from_energy: sums.energy + ratio * force[0],
-            flux: sums.flux / (through[0] + through[1]),
-        };
         AsymmetricFlow {
             force,
             moment: right.moment_coefficient - left.moment_coefficient,
-            balance,
+            balance: Balance::of(&sums, ratio, force[0], through[0] + through[1]),
             left,
             right,
         }
@@ -255,8 +264,8 @@ mod tests {
     fn it_converges_with_the_number_of_nodes() {
         for (left, right) in [(10.0, 30.0), (35.0, 55.0)] {
             let [coarse, usual, fine] = [1.0, 0.5, 0.25].map(|step: f64| {
-                let flow =
-                    AsymmetricFlow::with_step(f64::to_radians(left), f64::to_radians(right), 0.0, step).expect("a solution");
+                let flow = AsymmetricFlow::with_step(f64::to_radians(left), f64::to_radians(right), 0.0, step)
+                    .expect("a solution");
                 [flow.force[0], flow.force[1], flow.moment, flow.left.cp_max, flow.right.cp_max]
             });
             for k in 0..5 {

@@ -132,7 +132,7 @@ pub(super) fn flow(side: &Side, [beta, drift]: [f64; 2], step: f64, scale: f64) 
 }
 
 /// The free surface from the tip outwards and the integrals over it.
-fn surface(side: &Side, step: f64, scale: f64, tip: [f64; 2]) -> (Vec<[f64; 2]>, Sums) {
+pub(super) fn surface(side: &Side, step: f64, scale: f64, tip: [f64; 2]) -> (Vec<[f64; 2]>, Sums) {
     let n = side.fall.len();
     let from_afar = |f: &dyn Fn(usize) -> f64| {
         let backwards: Vec<f64> = (0..n).rev().map(f).collect();

@@ -51,7 +51,10 @@ fn at_constant_velocity_aslant_it_is_the_similar_flow() {
             let (h, (_, load)) = (flow.draught(), flow.step(|_| 0.0).expect("a step"));
             let [x, y] = [0, 1].map(|i| (load.force[i] / (4.0 * h) - exact.force[i]) / resultant);
             let moment = load.moment / (4.0 * h * h) / exact.moment - 1.0;
-            assert!(x.hypot(y) < 0.015 && moment.abs() < 0.015, "{left}°, {right}°, {ratio}: {x:+.4} {y:+.4} {moment:+.4}");
+            assert!(
+                x.hypot(y) < 0.015 && moment.abs() < 0.015,
+                "{left}°, {right}°, {ratio}: {x:+.4} {y:+.4} {moment:+.4}"
+            );
         }
     }
 }
