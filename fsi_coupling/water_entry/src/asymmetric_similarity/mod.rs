@@ -135,7 +135,7 @@ impl AsymmetricFlow {
         if !(least..=most).contains(&left_deg) || !(least..=most).contains(&right_deg) {
             return Err(refused("expected faces of 4 to 80 degrees"));
         }
-        if !(ratio.abs() <= FASTEST) {
+        if !(-FASTEST..=FASTEST).contains(&ratio) {
             return Err(refused("expected U/V from -2 to 2"));
         }
         let grid = Grid::new(step);

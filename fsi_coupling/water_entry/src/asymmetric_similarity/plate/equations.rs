@@ -135,81 +135,58 @@ impl Equations {
     pub fn evaluate(&self, grids: &Grids, unknowns: Unknowns) -> Trial {
         let (n, m, h) = (grids.y.len(), grids.t.len(), grids.step);
         let of = &unknowns.0;
-        let [log_right, log_left, log_strength, _] = [0, 1, 2, 3].map(|k| of[2 * n + m + k]);
-        let edge = unknowns.edge();
+        let scalars = &of[2 * n + m..];
+        let contacts = [scalars[0].exp(), scalars[1].exp()];
         let falls =
             [&of[..n], &of[n..2 * n], &of[2 * n..2 * n + m]].map(|w| w.iter().map(|w| w.exp()).collect::<Vec<_>>());
-        let bevel = self.pitch / PI;
-        // ln|dζ/du| and ln of the acceleration's C/((u + 1)^(3/2) (u − k)^(1/2) (u − 1)), per line
-        let line = |of: usize| -> [Vec<f64>; 2] {
-            let sums = [0, 1, 2].map(|from| times(&grids.kernels[of][from], &falls[from]));
-            let at = |i: usize| {
-                let place = grids.places[of][i];
-                let [to_right, to_left, to_edge] = match of {
-                    0 => [place.ln(), (TIPS + place).ln(), (1.0 + edge + place).ln()],
-                    1 => [(TIPS + place).ln(), place.ln(), (1.0 - edge + place).ln()],
-                    2 => [(TIPS - place).ln(), place.ln(), (1.0 - edge).ln() + log_share(-grids.t[i])],
-                    _ => [place.ln(), (TIPS - place).ln(), (1.0 + edge).ln() + log_share(-grids.t[i])],
-                };
-                let stretch = bevel * (to_left - to_right) + sums[0][i] + sums[1][i] + sums[2][i];
-                [stretch, log_strength - 1.5 * to_right - 0.5 * to_edge - to_left]
-            };
-            let all: Vec<[f64; 2]> = (0..grids.places[of].len()).map(at).collect();
-            [0, 1].map(|k| all.iter().map(|a| a[k]).collect())
-        };
-        let lines = [0, 1, 2, 3].map(line);
-        // ln|du/dy|, ln|du/dt|
-        let growth = |of: usize, i: usize| grids.places[of][i].ln() + if of < 2 { 0.0 } else { log_share(-grids.t[i]) };
-        let density = |of: usize| -> Vec<f64> {
-            lines[of][0].iter().enumerate().map(|(i, stretch)| (stretch + growth(of, i)).exp()).collect()
-        };
-        let contacts = [log_right.exp(), log_left.exp()];
-        let [on_right, on_left, on_behind, lengths] = [0, 1, 2, 3].map(density);
-        let speeds: Vec<f64> = (0..m).map(|i| (lines[3][1][i] - lines[3][0][i] + growth(3, i)).exp()).collect();
+        let lines = [0, 1, 2, 3].map(|line| self.line(grids, line, &falls, unknowns.edge()));
+        let [on_right, on_left, on_behind, lengths] = lines
+            .each_ref()
+            .map(|line| line.iter().map(|[stretch, growth, _]| (stretch + growth).exp()).collect::<Vec<_>>());
+        let speeds: Vec<f64> =
+            lines[3].iter().map(|[stretch, growth, pull]| (scalars[2] + pull - stretch + growth).exp()).collect();
         let arcs = [(&on_right, contacts[0]), (&on_left, contacts[1]), (&on_behind, contacts[1])]
             .map(|(density, contact)| integral(density, h, density[0] / contact));
-        let mut residual = Vec::with_capacity(2 * n + m + SCALARS);
-        for line in 0..3 {
-            let own = &of[line * n..][..grids.places[line].len()];
-            residual.extend((0..own.len()).map(|i| {
-                let [stretch, pull] = [0, 1].map(|k| lines[line][k][i]);
-                own[i] - (pull - PI.ln() + growth(line, i) - stretch - arcs[line][i].ln())
-            }));
+        let mut residual = Vec::with_capacity(of.len());
+        for (number, (line, arc)) in lines.iter().zip(&arcs).enumerate() {
+            let off = |(k, [stretch, growth, pull]): (usize, &[f64; 3])| {
+                of[number * n + k] - (scalars[2] + pull - PI.ln() + growth - stretch - arc[k].ln())
+            };
+            residual.extend(line.iter().enumerate().map(off));
         }
-        let [fall_right, fall_left, fall_behind] = falls;
-        let sum = |fall: &[f64]| h * fall.iter().sum::<f64>();
-        residual.push(1.0 - bevel - contacts[0] - sum(&fall_right));
-        residual.push(1.0 + bevel - contacts[1] - sum(&fall_left) - sum(&fall_behind));
-        let [arc_right, arc_left, arc_behind] = arcs;
+        let bevel = self.pitch / PI;
+        let whole = |fall: &[f64]| h * fall.iter().sum::<f64>();
+        residual.push(1.0 - bevel - contacts[0] - whole(&falls[0]));
+        residual.push(1.0 + bevel - contacts[1] - whole(&falls[1]) - whole(&falls[2]));
         let along = h * lengths.iter().sum::<f64>() + lengths[0] * (1.0 / contacts[0] - 0.5 * h);
         let speed = h * speeds.iter().sum::<f64>() + speeds[0] * (1.0 / (0.5 - contacts[0]) - 0.5 * h);
-        let side = |fall: Vec<f64>, contact: f64, density: Vec<f64>, arc: Vec<f64>| {
-            let mut side = Side {
-                fall,
-                contact,
-                density,
-                arc,
-                lengths: Vec::new(),
-                speeds: Vec::new(),
-                along,
-                velocity: [0.0; 2],
-            };
-            let kicks = side.directions(h).into_iter().enumerate().map(|(k, [cos, down])| {
-                let kick = h * PI * side.fall[k] * side.arc[k];
-                [kick * down, kick * cos]
-            });
-            side.velocity = kicks.fold([0.0; 2], |sum, kick| [sum[0] + kick[0], sum[1] + kick[1]]);
-            side
-        };
-        let left = side(fall_left, contacts[1], on_left, arc_left);
-        let right = Side { lengths, speeds, ..side(fall_right, contacts[0], on_right, arc_right) };
-        let whole = arc_behind[m - 1];
-        let behind = Behind { fall: fall_behind, density: on_behind, arc: arc_behind };
+        let ([fall_right, fall_left, fall], [arc_right, arc_left, arc]) = (falls, arcs);
+        let plate = (lengths, speeds, along);
+        let left = outer(h, fall_left, contacts[1], (on_left, arc_left), (Vec::new(), Vec::new(), 0.0));
+        let right = outer(h, fall_right, contacts[0], (on_right, arc_right), plate);
         let [outwards, down] = self.edge_speed(&right);
         residual.push((outwards - self.ratio * down) / along);
         // the water leaves the edge as fast as the surface there is long
-        residual.push((speed - along - whole) / (along + whole));
-        Trial { unknowns, right, left, behind, residual }
+        residual.push((speed - along - arc[m - 1]) / (along + arc[m - 1]));
+        Trial { unknowns, right, left, behind: Behind { fall, density: on_behind, arc }, residual }
+    }
+
+    /// At the points of a line: ln|dζ/du|, ln|du/dy| or ln|du/dt|, and ln of the acceleration's 1/((u + 1)^(3/2) (u − k)^(1/2) (u − 1)).
+    fn line(&self, grids: &Grids, line: usize, falls: &[Vec<f64>; 3], edge: f64) -> Vec<[f64; 3]> {
+        let sums = [0, 1, 2].map(|from| times(&grids.kernels[line][from], &falls[from]));
+        let at = |(i, place): (usize, &f64)| {
+            let to_edge = |whole: f64| whole.ln() + log_share(-grids.t[i]);
+            let [to_right, to_left, to_edge] = match line {
+                0 => [place.ln(), (TIPS + place).ln(), (1.0 + edge + place).ln()],
+                1 => [(TIPS + place).ln(), place.ln(), (1.0 - edge + place).ln()],
+                2 => [(TIPS - place).ln(), place.ln(), to_edge(1.0 - edge)],
+                _ => [place.ln(), (TIPS - place).ln(), to_edge(1.0 + edge)],
+            };
+            let stretch = self.pitch / PI * (to_left - to_right) + sums[0][i] + sums[1][i] + sums[2][i];
+            let growth = place.ln() + if line < 2 { 0.0 } else { log_share(-grids.t[i]) };
+            [stretch, growth, -1.5 * to_right - 0.5 * to_edge - to_left]
+        };
+        grids.places[line].iter().enumerate().map(at).collect()
     }
 
     /// Velocity at the edge if the water moved with the plate as at its tip, [outwards, down], in units of λ.
@@ -234,6 +211,23 @@ impl Equations {
         let wrong = Mat::from_fn(count, 1, |row, _| -trial.residual[row]);
         jacobian.partial_piv_lu().solve(&wrong).col(0).iter().copied().collect()
     }
+}
+
+/// A surface that was there before the entry: its points are `h` apart; the plate has ds/dt, dv/dt and its length.
+fn outer(
+    h: f64,
+    fall: Vec<f64>,
+    contact: f64,
+    (density, arc): (Vec<f64>, Vec<f64>),
+    (lengths, speeds, along): (Vec<f64>, Vec<f64>, f64),
+) -> Side {
+    let mut side = Side { fall, contact, density, arc, lengths, speeds, along, velocity: [0.0; 2] };
+    let kicks = side.directions(h).into_iter().enumerate().map(|(k, [cos, down])| {
+        let kick = h * PI * side.fall[k] * side.arc[k];
+        [kick * down, kick * cos]
+    });
+    side.velocity = kicks.fold([0.0; 2], |sum, kick| [sum[0] + kick[0], sum[1] + kick[1]]);
+    side
 }
 
 impl Trial {
