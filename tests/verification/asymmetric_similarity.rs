@@ -204,3 +204,26 @@ fn a_scene_with_a_rolled_wedge_has_the_similar_load() {
     let refused = load_text("rolled.toml", &free, &[]).expect_err("refused").to_string();
     assert!(refused.contains("may turn or move sideways"), "{refused}");
 }
+
+/// The same of an upright wedge that moves aslant: a scene has the similar load by boundary elements, and moves sideways.
+#[test]
+fn a_scene_with_a_wedge_that_moves_aslant_has_the_similar_load() {
+    let text = ROLLED.replace("angle_deg = 10.0\n", "").replace("[0.0, -2.0]", "[1.0, -2.0]");
+    let scene = load_text("aslant.toml", &text, &[]).expect("a scene").scene;
+    let outcome = run(&scene, &RunOptions::default()).expect("a run");
+    let exact = AsymmetricFlow::oblique(f64::to_radians(30.0), f64::to_radians(30.0), 0.5).expect("a solution");
+    let (rho, h) = (scene.water().density, SPEED * 0.25);
+    let expected = [
+        ("wedge.fx_N_per_m", rho * SPEED.powi(2) * h * exact.force[0]),
+        ("wedge.fy_N_per_m", rho * SPEED.powi(2) * h * exact.force[1]),
+        ("wedge.moment_N", rho * (SPEED * h).powi(2) * exact.moment),
+        ("wedge.x_m", 0.25),
+    ];
+    for (name, value) in expected {
+        let last = *outcome.series.column(name).expect("a column").last().expect("a row");
+        assert!((last / value - 1.0).abs() < 0.02, "{name}: {last}, exactly {value}");
+    }
+    let free = text.replace("motion = \"constant_velocity\"", "motion = \"free\"\nmass = 2000.0\nfree = [\"y\"]");
+    let refused = load_text("aslant.toml", &free, &[]).expect_err("refused").to_string();
+    assert!(refused.contains("moves sideways"), "{refused}");
+}
