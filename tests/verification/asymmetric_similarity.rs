@@ -223,7 +223,8 @@ fn a_scene_with_a_wedge_that_moves_aslant_has_the_similar_load() {
         let last = *outcome.series.column(name).expect("a column").last().expect("a row");
         assert!((last / value - 1.0).abs() < 0.02, "{name}: {last}, exactly {value}");
     }
-    let free = text.replace("motion = \"constant_velocity\"", "motion = \"free\"\nmass = 2000.0\nfree = [\"y\"]");
+    let free =
+        text.replace("motion = \"constant_velocity\"", "motion = \"free\"\nmass = 2000.0\nfree = [\"x\", \"y\"]");
     let refused = load_text("aslant.toml", &free, &[]).expect_err("refused").to_string();
     assert!(refused.contains("moves sideways"), "{refused}");
 }
