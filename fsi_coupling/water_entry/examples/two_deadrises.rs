@@ -16,7 +16,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let of_momentum = [balance.force[0] * unit, balance.force[1] * unit, balance.moment * unit * speed * time];
 
     let motion = SectionMotion::Constant;
-    let entry = RolledEntry { deadrises, lengths: [0.5; 2], motion, draught: 0.0, speed, gravity: 0.0, density };
+    let [draught, sideways, gravity] = [0.0; 3];
+    let entry = RolledEntry { deadrises, lengths: [0.5; 2], motion, draught, speed, sideways, gravity, density };
     let (instants, _) = entry.solve(time)?;
     let last = instants.last().ok_or("no step")?;
     let unit_then = (last.time / time).powi(2); // the moment grows with the square of time, the force with time

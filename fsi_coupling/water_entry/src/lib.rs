@@ -38,7 +38,7 @@ mod section;
 mod similarity;
 pub mod waves;
 
-pub use asymmetric_similarity::{AsymmetricFlow, Balance, FaceFlow, NoFlow};
+pub use asymmetric_similarity::{AsymmetricFlow, Balance, FaceFlow, NoFlow, NoPlateFlow, PlateFlow};
 pub use boundary_element::{
     EntryFlow, FlowEnded, FlowEntry, FlowHistory, FlowLoad, RolledEntry, RolledFlow, RolledInstant, RolledLoad,
 };

@@ -1,10 +1,11 @@
-//! Entry of a wedge with two different deadrises at constant speed: the similar flow without gravity and viscosity (THEORY EN31–EN33;
-//! Semenov & Iafrati 2006).
+//! Entry of a wedge with two deadrises at constant speed, down or aslant: the similar flow without gravity and viscosity (THEORY EN31–EN33,
+//! EN47; Semenov & Iafrati 2006; Semenov & Yoon 2009).
 //!
-//! The water turns round the apex from the flatter to the steeper face. The velocity there is infinite, the pressure is −∞, force and moment are
+//! The water turns round the apex from the flatter to the steeper face, or from the face that goes ahead to the one behind. The velocity there is infinite, the pressure is −∞, force and moment are
 //! finite.
 
 mod grid;
+mod plate;
 mod side;
 mod solve;
 mod sums;
@@ -12,13 +13,15 @@ mod system;
 
 use std::cell::RefCell;
 
+pub use plate::{NoPlateFlow, PlateFlow};
 pub use side::FaceFlow;
 
 use grid::Grid;
-use system::System;
+use sums::Sums;
+use system::{System, Trial};
 
-/// Deadrises [rad] and their flow.
-type Known = ([f64; 2], Result<AsymmetricFlow, NoFlow>);
+/// Deadrises [rad] and U/V, and their flow.
+type Known = ([f64; 3], Result<AsymmetricFlow, NoFlow>);
 
 thread_local! {
     /// The last one: a scene needs it several times.
@@ -29,8 +32,10 @@ thread_local! {
 const USUAL_STEP: f64 = 0.5;
 /// Deadrises of a face [deg].
 const DEADRISES: [f64; 2] = [4.0, 80.0];
+/// Largest speed sideways over the one downwards [-].
+const FASTEST: f64 = 2.0;
 
-/// The flow about a wedge with two deadrises that moves down at constant speed V, in units of V t, ½ρV² and ρV³t.
+/// The flow about a wedge with two deadrises that moves down at constant speed V, and to the right at U, in units of V t, ½ρV² and ρV³t.
 #[derive(Clone, Debug)]
 pub struct AsymmetricFlow {
     /// The face on the left, x < 0.
@@ -52,20 +57,35 @@ pub struct Balance {
     pub force: [f64; 2],
     /// Moment about the apex from the rate of its angular momentum, M/(ρV⁴t²) [-].
     pub moment: f64,
-    /// F_y/(ρV³t) from the rate of its kinetic energy [-].
+    /// F_y/(ρV³t) from the rate of its kinetic energy and F_x [-].
     pub force_from_energy: f64,
     /// Flux through the whole boundary over that through the faces [-].
     pub flux: f64,
 }
 
+impl Balance {
+    /// Of the integrals over the boundary, U/V, F_x and the flux through the faces.
+    fn of(sums: &Sums, ratio: f64, sideways: f64, through: f64) -> Balance {
+        let [p_x, p_y] = sums.momentum;
+        Balance {
+            force: [-2.0 * p_x, -2.0 * p_y],
+            moment: -3.0 * sums.angular + 2.0 * (p_x + ratio * p_y),
+            force_from_energy: sums.energy + ratio * sideways,
+            flux: sums.flux / through,
+        }
+    }
+}
+
 /// There is no such flow.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-#[error("no similar flow about a wedge with deadrises of {left_deg} and {right_deg} degrees: {why}")]
+#[error("no similar flow about a wedge with deadrises of {left_deg} and {right_deg} degrees at U/V = {ratio}: {why}")]
 pub struct NoFlow {
     /// Deadrise on the left [deg].
     pub left_deg: f64,
     /// Deadrise on the right [deg].
     pub right_deg: f64,
+    /// Speed to the right over the one downwards U/V [-].
+    pub ratio: f64,
     /// Why.
     pub why: &'static str,
 }
@@ -73,8 +93,9 @@ pub struct NoFlow {
 impl NoFlow {
     /// The wedge, as the case outside a range.
     pub(crate) fn as_case(&self) -> String {
-        let NoFlow { left_deg, right_deg, why } = self;
-        format!("one with deadrises of {left_deg:.2} and {right_deg:.2} degrees ({why})")
+        let NoFlow { left_deg, right_deg, ratio, why } = self;
+        let sideways = if *ratio == 0.0 { String::new() } else { format!(" at U/V = {ratio:.3}") };
+        format!("one with deadrises of {left_deg:.2} and {right_deg:.2} degrees{sideways} ({why})")
     }
 }
 
@@ -86,12 +107,19 @@ impl AsymmetricFlow {
     /// A deadrise outside 4–80°; an asymmetry at which the flow would suck at the steeper face: a real one leaves the apex; one at which Newton's
     /// method does not arrive.
     pub fn solve(left: f64, right: f64) -> Result<AsymmetricFlow, NoFlow> {
-        let deadrises = [left, right];
-        let known =
-            LAST.with_borrow(|last| last.as_ref().filter(|(of, _)| *of == deadrises).map(|(_, flow)| flow.clone()));
+        AsymmetricFlow::oblique(left, right, 0.0)
+    }
+
+    /// For the deadrises of the left and the right face [rad] and the speed to the right over the one downwards, U/V [-] (THEORY EN47).
+    ///
+    /// # Errors
+    /// As [`AsymmetricFlow::solve`], and a ratio above 2 either way.
+    pub fn oblique(left: f64, right: f64, ratio: f64) -> Result<AsymmetricFlow, NoFlow> {
+        let case = [left, right, ratio];
+        let known = LAST.with_borrow(|last| last.as_ref().filter(|(of, _)| *of == case).map(|(_, flow)| flow.clone()));
         known.unwrap_or_else(|| {
-            let flow = AsymmetricFlow::with_step(left, right, USUAL_STEP);
-            LAST.set(Some((deadrises, flow.clone())));
+            let flow = AsymmetricFlow::with_step(left, right, ratio, USUAL_STEP);
+            LAST.set(Some((case, flow.clone())));
             flow
         })
     }
@@ -99,42 +127,47 @@ impl AsymmetricFlow {
     /// The same on grids of another step [-].
     ///
     /// # Errors
-    /// As [`AsymmetricFlow::solve`].
-    pub fn with_step(left: f64, right: f64, step: f64) -> Result<AsymmetricFlow, NoFlow> {
+    /// As [`AsymmetricFlow::oblique`].
+    pub fn with_step(left: f64, right: f64, ratio: f64, step: f64) -> Result<AsymmetricFlow, NoFlow> {
         let [left_deg, right_deg] = [left, right].map(f64::to_degrees);
-        let refused = |why| NoFlow { left_deg, right_deg, why };
+        let refused = |why| NoFlow { left_deg, right_deg, ratio, why };
         let [least, most] = DEADRISES;
         if !(least..=most).contains(&left_deg) || !(least..=most).contains(&right_deg) {
             return Err(refused("expected faces of 4 to 80 degrees"));
         }
+        if !(-FASTEST..=FASTEST).contains(&ratio) {
+            return Err(refused("expected U/V from -2 to 2"));
+        }
         let grid = Grid::new(step);
-        let trial = solve::solve(&grid, 0.5 * (left + right), 0.5 * (right - left))
-            .map_err(|_| refused("the flow that follows both faces ends at a smaller asymmetry"))?;
-        let system = System { grid: &grid, beta: [right, left] };
-        let scale = 1.0 / system.keel_speed(0, &trial.sides[0])[1];
-        let (right, on_right) = side::flow(&trial.sides[0], right, step, scale);
-        let (left, on_left) = side::flow(&trial.sides[1], left, step, scale);
-        if left.force_coefficient.min(right.force_coefficient) <= 0.0 {
+        let trial = solve::solve(&grid, 0.5 * (left + right), 0.5 * (right - left), ratio)
+            .map_err(|_| refused("the flow that follows both faces ends nearer to the symmetric one"))?;
+        let flow = AsymmetricFlow::of(&trial, &System { grid: &grid, beta: [right, left], ratio });
+        if flow.left.force_coefficient.min(flow.right.force_coefficient) <= 0.0 {
             return Err(refused(
-                "the suction next to the apex exceeds the pressure on the steeper face, and the flow leaves the apex",
+                "the suction next to the apex exceeds the pressure on the face behind it, and the flow leaves the apex",
             ));
         }
+        Ok(flow)
+    }
+
+    /// Of a solution of the equations.
+    fn of(trial: &Trial, system: &System<'_>) -> AsymmetricFlow {
+        let System { grid, beta: [right, left], ratio } = *system;
+        let scale = 1.0 / system.keel_speed(0, &trial.sides[0])[1];
+        let (right, on_right) = side::flow(&trial.sides[0], [right, ratio], grid.step, scale);
+        let (left, on_left) = side::flow(&trial.sides[1], [left, -ratio], grid.step, scale);
         let [(sin_r, cos_r), (sin_l, cos_l)] = [&right, &left].map(|face| face.deadrise_deg.to_radians().sin_cos());
         let [f_r, f_l] = [right.force_coefficient, left.force_coefficient];
+        let force = [f_l * sin_l - f_r * sin_r, f_l * cos_l + f_r * cos_r];
         let sums = on_right.plus(&on_left.mirrored(), 1.0);
-        let balance = Balance {
-            force: sums.momentum.map(|p| -2.0 * p),
-            moment: -3.0 * sums.angular + 2.0 * sums.momentum[0],
-            force_from_energy: sums.energy,
-            flux: sums.flux / (right.length * cos_r + left.length * cos_l),
-        };
-        Ok(AsymmetricFlow {
-            force: [f_l * sin_l - f_r * sin_r, f_l * cos_l + f_r * cos_r],
+        let through = [right.length * (cos_r + ratio * sin_r), left.length * (cos_l - ratio * sin_l)];
+        AsymmetricFlow {
+            force,
             moment: right.moment_coefficient - left.moment_coefficient,
-            balance,
+            balance: Balance::of(&sums, ratio, force[0], through[0] + through[1]),
             left,
             right,
-        })
+        }
     }
 
     /// The faces, left and right.
@@ -150,6 +183,10 @@ mod tests {
 
     fn flow(left: f64, right: f64) -> AsymmetricFlow {
         AsymmetricFlow::solve(left.to_radians(), right.to_radians()).expect("a solution")
+    }
+
+    fn oblique(left: f64, right: f64, ratio: f64) -> AsymmetricFlow {
+        AsymmetricFlow::oblique(left.to_radians(), right.to_radians(), ratio).expect("a solution")
     }
 
     /// Equal faces: the solution of Dobrovolskaya (1969), which uses other equations.
@@ -194,13 +231,41 @@ mod tests {
         assert!(pairs.iter().all(|(a, b)| (a - b).abs() < 1e-7 * a.abs()), "{pairs:?}");
     }
 
+    /// With a speed sideways too: mass, momentum, energy and the angular momentum about the moving apex are kept.
+    #[test]
+    fn oblique_entry_keeps_momentum_energy_and_mass() {
+        for (left, right, ratio) in
+            [(30.0, 30.0, 0.25), (30.0, 30.0, 1.0), (20.0, 40.0, 0.25), (20.0, 40.0, -0.5), (12.0, 12.0, 1.9)]
+        {
+            let flow = oblique(left, right, ratio);
+            let Balance { force: [x, y], moment, force_from_energy, flux } = flow.balance;
+            let of = [x / flow.force[0], y / flow.force[1], force_from_energy / flow.force[1], moment / flow.moment];
+            assert!(of.iter().all(|of| (of - 1.0).abs() < 5e-4), "{left}°, {right}°, {ratio}: {of:.6?}");
+            assert!(flux.abs() < 1e-4, "{left}°, {right}°, {ratio}: {flux:e}");
+        }
+    }
+
+    /// A symmetric wedge: the vertical force is even in U/V, the horizontal one and the moment are odd and begin in proportion.
+    #[test]
+    fn a_small_speed_sideways_changes_the_load_in_proportion() {
+        let (still, small, back, twice) =
+            (flow(30.0, 30.0), oblique(30.0, 30.0, 0.02), oblique(30.0, 30.0, -0.02), oblique(30.0, 30.0, 0.04));
+        let vertical = |flow: &AsymmetricFlow| flow.force[1] / still.force[1] - 1.0;
+        assert!((vertical(&small) - vertical(&back)).abs() < 1e-8, "{:e} {:e}", vertical(&small), vertical(&back));
+        assert!((vertical(&twice) / vertical(&small) - 4.0).abs() < 0.05, "{:e}", vertical(&twice));
+        for of in [|flow: &AsymmetricFlow| flow.force[0], |flow: &AsymmetricFlow| flow.moment] {
+            assert!((of(&small) + of(&back)).abs() < 1e-7 * of(&small).abs(), "{} {}", of(&small), of(&back));
+            assert!((of(&twice) / of(&small) - 2.0).abs() < 1e-3, "{} {}", of(&small), of(&twice));
+        }
+    }
+
     /// Half and a quarter of the usual step: the differences fall by an order of four and more.
     #[test]
     fn it_converges_with_the_number_of_nodes() {
         for (left, right) in [(10.0, 30.0), (35.0, 55.0)] {
             let [coarse, usual, fine] = [1.0, 0.5, 0.25].map(|step: f64| {
-                let flow =
-                    AsymmetricFlow::with_step(f64::to_radians(left), f64::to_radians(right), step).expect("a solution");
+                let flow = AsymmetricFlow::with_step(f64::to_radians(left), f64::to_radians(right), 0.0, step)
+                    .expect("a solution");
                 [flow.force[0], flow.force[1], flow.moment, flow.left.cp_max, flow.right.cp_max]
             });
             for k in 0..5 {
@@ -219,6 +284,8 @@ mod tests {
         let why =
             |left: f64, right: f64| AsymmetricFlow::solve(left.to_radians(), right.to_radians()).expect_err("none").why;
         assert!(why(20.0, 80.0).contains("leaves the apex") && why(80.0, 20.0).contains("leaves the apex"));
+        let oblique = |ratio: f64| AsymmetricFlow::oblique(0.8, 0.8, ratio).expect_err("none").why;
+        assert!(oblique(1.0).contains("leaves the apex") && oblique(-3.0).contains("-2 to 2"));
         assert!(why(3.0, 20.0).contains("4 to 80") && why(f64::NAN, 20.0).contains("4 to 80"));
     }
 }

@@ -30,12 +30,12 @@ pub struct FaceFlow {
     pub length: f64,
     /// Angle between free surface and face at the jet's tip [deg].
     pub contact_angle_deg: f64,
-    /// The jet's tip, [x, y]/(V t) [-], x outwards from the apex, y from still water.
+    /// The jet's tip, [x, y]/(V t) [-], x outwards from the place of first contact, y from still water.
     pub tip: [f64; 2],
     /// Along the face from the apex to the tip: distance over V t and pressure coefficient [-], shape (n, 2). It begins at 10⁻⁶ of the
     /// wet length.
     pub profile: Vec<[f64; 2]>,
-    /// Free surface from the tip outwards, [x, y]/(V t) [-], x outwards, shape (n, 2).
+    /// Free surface from the tip outwards, [x, y]/(V t) [-], from the same place, shape (n, 2).
     pub surface: Vec<[f64; 2]>,
 }
 
@@ -92,9 +92,9 @@ impl Face {
     }
 
     /// EN33 over the face.
-    fn sums(&self, [sin, cos]: [f64; 2], tip: [f64; 2], whole: f64) -> Sums {
+    fn sums(&self, [sin, cos]: [f64; 2], drift: f64, tip: [f64; 2], whole: f64) -> Sums {
         let place = |k: usize| {
-            let at = [self.from_apex[k] * cos, self.from_apex[k] * sin - 1.0];
+            let at = [drift + self.from_apex[k] * cos, self.from_apex[k] * sin - 1.0];
             let velocity = [at[0] - self.relative[k] * cos, at[1] - self.relative[k] * sin];
             Place { at, velocity, normal: [-sin, cos], pressure: self.pressure[k] }
         };
@@ -106,15 +106,15 @@ impl Face {
     }
 }
 
-/// A side, whose unit of length is λ = `scale`.
-pub(super) fn flow(side: &Side, beta: f64, step: f64, scale: f64) -> (FaceFlow, Sums) {
+/// A side, whose unit of length is λ = `scale` and whose apex moves outwards by `drift` V.
+pub(super) fn flow(side: &Side, [beta, drift]: [f64; 2], step: f64, scale: f64) -> (FaceFlow, Sums) {
     let (sin, cos) = beta.sin_cos();
     let face = Face::new(side, step, scale);
     let length = side.along * scale;
-    let tip = [length * cos, length * sin - 1.0];
+    let tip = [drift + length * cos, length * sin - 1.0];
     let [force_coefficient, moment_coefficient] = face.load();
     let (cp_max, peak, profile) = face.profile(length);
-    let on_face = face.sums([sin, cos], tip, length);
+    let on_face = face.sums([sin, cos], drift, tip, length);
     let (surface, on_surface) = surface(side, step, scale, tip);
     let flow = FaceFlow {
         deadrise_deg: beta.to_degrees(),
@@ -132,7 +132,7 @@ pub(super) fn flow(side: &Side, beta: f64, step: f64, scale: f64) -> (FaceFlow, 
 }
 
 /// The free surface from the tip outwards and the integrals over it.
-fn surface(side: &Side, step: f64, scale: f64, tip: [f64; 2]) -> (Vec<[f64; 2]>, Sums) {
+pub(super) fn surface(side: &Side, step: f64, scale: f64, tip: [f64; 2]) -> (Vec<[f64; 2]>, Sums) {
     let n = side.fall.len();
     let from_afar = |f: &dyn Fn(usize) -> f64| {
         let backwards: Vec<f64> = (0..n).rev().map(f).collect();

@@ -1,4 +1,4 @@
-//! Newton's method from the symmetric flow to one with two deadrises.
+//! Newton's method from the symmetric flow to one with two deadrises, or with a speed sideways.
 
 use std::f64::consts::PI;
 
@@ -12,22 +12,26 @@ const SOLVED: f64 = 1e-9;
 const MOST_ITERATIONS: usize = 12;
 /// Longest move of an unknown in one of them.
 const LONGEST_MOVE: f64 = 1.0;
-/// Steps of half the difference of the deadrises, the first and the least [rad].
+/// Steps of half the difference of the deadrises [rad] or of U/V, the larger of both: the first and the least.
 const STEPS: [f64; 2] = [5.0 * PI / 180.0, 0.25 * PI / 180.0];
 /// Step of the symmetric solution that is the start.
 const START_STEP: f64 = 0.5;
 
-/// Where it ended: the solution, or half the largest difference of the deadrises that was solved [rad].
+/// Where it ended: the solution, or the share of the way from the symmetric flow that was solved.
 pub(super) type Solved = Result<Trial, f64>;
 
-/// For the mean of the deadrises and half their difference, right less left [rad].
-pub(super) fn solve(grid: &Grid, mean: f64, half: f64) -> Solved {
-    let system = |half: f64| System { grid, beta: [mean + half, mean - half] };
+/// For the mean of the deadrises and half their difference, right less left [rad], and the ratio U/V.
+pub(super) fn solve(grid: &Grid, mean: f64, half: f64, ratio: f64) -> Solved {
+    let whole = half.abs().max(ratio.abs());
+    let system = |reached: f64| {
+        let [half, ratio] = [half, ratio].map(|of| if whole > 0.0 { of / whole * reached } else { 0.0 });
+        System { grid, beta: [mean + half, mean - half], ratio }
+    };
     let symmetric = start(&system(0.0)).and_then(|start| newton(&system(0.0), start)).ok_or(0.0)?;
     let [mut step, least] = STEPS;
     let (mut reached, mut now, mut before) = (0.0, symmetric, None::<(f64, Unknowns)>);
-    while (half - reached).abs() > 0.0 {
-        let next = reached + (half - reached).clamp(-step, step);
+    while reached < whole {
+        let next = reached + (whole - reached).min(step);
         let guess = match &before {
             Some((at, earlier)) => {
                 let share = (next - reached) / (reached - at);
@@ -41,7 +45,7 @@ pub(super) fn solve(grid: &Grid, mean: f64, half: f64) -> Solved {
                 (now, reached) = (solved, next);
             }
             None if step > least => step *= 0.5,
-            None => return Err(reached),
+            None => return Err(reached / whole),
         }
     }
     Ok(now)

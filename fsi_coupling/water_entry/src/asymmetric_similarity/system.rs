@@ -96,10 +96,11 @@ pub(super) struct Trial {
     faces: [FaceGrid; 2],
 }
 
-/// The equations for deadrises right and left [rad].
+/// The equations for deadrises right and left [rad] and the ratio U/V of the speed to the right to the one downwards.
 pub(super) struct System<'a> {
     pub grid: &'a Grid,
     pub beta: [f64; 2],
+    pub ratio: f64,
 }
 
 impl System<'_> {
@@ -139,10 +140,11 @@ impl System<'_> {
         for (side, beta) in sides.iter().zip(self.beta) {
             residual.push(1.0 - beta / PI - side.contact - h * side.fall.iter().sum::<f64>());
         }
-        // EN32: at the tips the water rests on the face, whose keel is at −i/λ
+        // EN32: at the tips the water rests on the face, whose keel is at (U/V − i)/λ
         let [right, left] = [0, 1].map(|i| self.keel_speed(i, &sides[i]));
         let unit = sides[0].along + sides[1].along;
-        residual.extend([right[0] / unit, left[0] / unit, (right[1] - left[1]) / unit]);
+        let drift = [right, left].map(|[_, down]| self.ratio * down);
+        residual.extend([(right[0] - drift[0]) / unit, (left[0] + drift[1]) / unit, (right[1] - left[1]) / unit]);
         (sides, residual)
     }
 

@@ -142,6 +142,7 @@ impl EntryFlow {
             underside: None,
             draught: of_section,
             speed,
+            drift: 0.0,
             gravity: 0.0,
             sizes,
             past: Vec::new(),
@@ -163,7 +164,8 @@ impl EntryFlow {
     /// The same with all velocities in proportion to a downward speed [m/s].
     fn at_speed(mut self, speed: f64) -> EntryFlow {
         self.clear_past();
-        EntryFlow { surface: self.surface.scaled(1.0, speed / self.speed), speed, ..self }
+        let share = speed / self.speed;
+        EntryFlow { surface: self.surface.scaled(1.0, share), speed, drift: share * self.drift, ..self }
     }
 
     /// Load of the water now.

@@ -121,17 +121,19 @@ impl EntryFlow {
         [self.surface.velocity(&beta.psi[..=of.end]), below]
     }
 
-    /// The solution of a side with velocities of its surfaces. A node that moves with v: dφ/dt = φ_t + v·∇φ; the chine goes down with the body.
+    /// The solution of a side with velocities of its surfaces. A node that moves with v: dφ/dt = φ_t + v·∇φ; the chine moves with the body.
     pub(super) fn solution(&self, of: Nodes, beta: Complex, [above, below]: [Vec<c64>; 2]) -> Solution {
         let Nodes { z: nodes, foot, contact, along, .. } = of;
         let with_water = |(v, z): (&c64, &c64)| v.norm_sqr() + self.rate_on_surface(v, z);
         let mut rate_below: Vec<f64> = below.iter().zip(&nodes[foot..]).map(with_water).collect();
         if let (Some(at_chine), Some(v)) = (rate_below.last_mut(), below.last()) {
-            *at_chine = self.rate_on_surface(v, &self.face.edge()) - self.keel_speed() * v.im;
+            *at_chine = self.rate_on_surface(v, &self.face.edge()) + (v * self.keel_velocity().conj()).re;
         }
+        let rate_above = above.iter().zip(&nodes).map(with_water).collect();
+        let in_axes = |velocity: Vec<c64>| velocity.into_iter().map(|v| v - self.drift).collect();
         Solution {
-            above: SurfaceFlow { rate: above.iter().zip(&nodes).map(with_water).collect(), velocity: above },
-            below: SurfaceFlow { velocity: below, rate: rate_below },
+            above: SurfaceFlow { velocity: in_axes(above), rate: rate_above },
+            below: SurfaceFlow { velocity: in_axes(below), rate: rate_below },
             beta,
             nodes,
             contact,
@@ -162,10 +164,9 @@ impl EntryFlow {
     /// face.
     pub(super) fn potential(&self, nodes: &[c64], end: usize, foot: usize) -> Vec<f64> {
         let EntryFlow { face, surface, underside, .. } = self;
-        let speed = self.keel_speed();
         let across = || {
             let on_face = face.nearest(nodes[end], true);
-            speed * on_face.tangent.re * (on_face.z - nodes[end]).norm()
+            -(self.keel_velocity() * on_face.tangent.conj()).im * (on_face.z - nodes[end]).norm()
         };
         let of_end = surface.phi[end];
         let of_foot = underside.as_ref().map_or_else(|| of_end - across(), |underside| underside.phi[0]);
@@ -215,7 +216,7 @@ impl EntryFlow {
     /// Velocity u + iv [m/s] at a place `along` the face where φ grows by `slope` [m/s] towards the keel.
     fn on_face(&self, along: f64, slope: f64) -> c64 {
         let down = -self.face.place(along).tangent;
-        (c64::new(slope, self.keel_speed() * down.re) / down).conj()
+        (c64::new(slope, (self.keel_velocity().conj() * down).im) / down).conj()
     }
 }
 

@@ -1,5 +1,7 @@
 //! The state of the flow: the wedge, its surfaces and its speed.
 
+use faer::c64;
+
 use super::elements::Sizes;
 use super::face::Face;
 use super::lower_side::LowerSide;
@@ -27,6 +29,8 @@ pub struct EntryFlow {
     pub(super) draught: f64,
     /// Downward speed [m/s].
     pub(super) speed: f64,
+    /// Constant speed outwards [m/s]: the axes move with it.
+    pub(super) drift: f64,
     /// Gravity in the water [m/s²].
     pub(super) gravity: f64,
     pub(super) sizes: Sizes,
@@ -48,6 +52,11 @@ impl EntryFlow {
     /// Downward speed of the keel [m/s].
     pub(super) fn keel_speed(&self) -> f64 {
         self.speed * self.face.keel_speed(self.half_width())
+    }
+
+    /// Velocity of the keel [m/s].
+    pub(super) fn keel_velocity(&self) -> c64 {
+        c64::new(self.drift, -self.keel_speed())
     }
 
     /// Half breadth between the ends of the jets [m].

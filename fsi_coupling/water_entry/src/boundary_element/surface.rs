@@ -52,11 +52,12 @@ impl FreeSurface {
     /// EN20: the exact surface at constant speed without gravity, of length unit `draught` [m], at the downward `speed` [m/s]: φ = ½(r² − s²), r from
     /// the place of contact, s along the surface from the jet's tip. Out to `far` draughts.
     pub fn similar(flow: &SimilarityFlow, draught: f64, speed: f64, far: f64) -> FreeSurface {
-        FreeSurface::through(&flow.surface, draught, speed, far)
+        FreeSurface::through(&flow.surface, 0.0, draught, speed, far)
     }
 
-    /// The same through points of the exact surface from the tip outwards, x outwards, shape (n, 2).
-    pub fn through(surface: &[[f64; 2]], draught: f64, speed: f64, far: f64) -> FreeSurface {
+    /// The same through points of the exact surface from the tip outwards, x outwards, shape (n, 2), in axes of an apex that has moved outwards by
+    /// `drift` draughts.
+    pub fn through(surface: &[[f64; 2]], drift: f64, draught: f64, speed: f64, far: f64) -> FreeSurface {
         let z: Vec<c64> = surface.iter().rev().map(|[x, y]| c64::new(*x, *y)).skip_while(|z| z.re > far).collect();
         let coarse = FreeSurface { phi: vec![0.0; z.len()], z, past: Vec::new() };
         let at = arc_length(&coarse.z);
@@ -69,6 +70,7 @@ impl FreeSurface {
         let mut surface = coarse.sampled(&fine);
         let (s, farthest) = (arc_length(&surface.z), surface.z[0].norm());
         surface.phi = surface.z.iter().zip(s).map(|(z, s)| 0.5 * (z.norm_sqr() - (farthest - s).powi(2))).collect();
+        surface.z.iter_mut().for_each(|z| z.re -= drift);
         surface.scaled(draught, speed)
     }
 

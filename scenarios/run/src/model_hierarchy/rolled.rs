@@ -1,4 +1,4 @@
-//! A rolled wedge by boundary elements (THEORY EN34).
+//! A wedge that is rolled or moves aslant, by boundary elements (THEORY EN34, EN47).
 
 use scene::{Body, Scene, Shape};
 use water_entry::{
@@ -8,9 +8,10 @@ use water_entry::{
 /// Share of a face that the check of a scene wets.
 const CHECKED: f64 = 0.1;
 
-/// Are boundary elements those about a rolled rigid wedge?
+/// Are boundary elements those about a rigid wedge that is rolled or moves sideways?
 pub(super) fn rolls(scene: &Scene, model: EntryModel) -> bool {
-    let wedge = |body: &Body| matches!(body.shape, Shape::Wedge { .. }) && body.angle_deg != 0.0 && !body.bends();
+    let lopsided = |body: &Body| body.angle_deg != 0.0 || body.velocity[0] != 0.0;
+    let wedge = |body: &Body| matches!(body.shape, Shape::Wedge { .. }) && lopsided(body) && !body.bends();
     model == EntryModel::BoundaryElement && scene.body.as_ref().is_some_and(wedge)
 }
 
@@ -23,8 +24,8 @@ pub(super) fn deadrises(body: &Body) -> Option<[f64; 2]> {
 /// Does a jet's tip come to a chine, at the speed of the start?
 pub(super) fn wets_chines(scene: &Scene) -> Option<bool> {
     let body = scene.body.as_ref()?;
-    let RolledEntry { deadrises, lengths, .. } = entry(scene, body, SectionMotion::Constant)?;
-    let flow = AsymmetricFlow::solve(deadrises[0], deadrises[1]).ok()?;
+    let RolledEntry { deadrises, lengths, speed, sideways, .. } = entry(scene, body, SectionMotion::Constant)?;
+    let flow = AsymmetricFlow::oblique(deadrises[0], deadrises[1], sideways / speed).ok()?;
     let longest = flow.left.length.max(flow.right.length);
     Some(scene.entry()?.final_draught * longest > lengths[0].min(lengths[1]))
 }
@@ -39,6 +40,7 @@ fn entry(scene: &Scene, body: &Body, motion: SectionMotion) -> Option<RolledEntr
         motion,
         draught: body.draught(),
         speed: -body.velocity[1],
+        sideways: body.velocity[0],
         gravity: -scene.gravity[1],
         density: scene.water().density,
     })
@@ -49,11 +51,14 @@ fn entry(scene: &Scene, body: &Body, motion: SectionMotion) -> Option<RolledEntr
 /// # Errors
 /// Deadrises outside the range of boundary elements, or of which there is no similar flow.
 pub(super) fn check(scene: &Scene, body: &Body, motion: SectionMotion) -> Result<(), OutOfRange> {
-    let Some(RolledEntry { deadrises, lengths, .. }) = entry(scene, body, motion) else { return Ok(()) };
-    let longest =
-        AsymmetricFlow::solve(deadrises[0], deadrises[1]).map_or(1.0, |flow| flow.left.length.max(flow.right.length));
+    let Some(RolledEntry { deadrises, lengths, speed, sideways, .. }) = entry(scene, body, motion) else {
+        return Ok(());
+    };
+    let ratio = sideways / speed;
+    let longest = AsymmetricFlow::oblique(deadrises[0], deadrises[1], ratio)
+        .map_or(1.0, |flow| flow.left.length.max(flow.right.length));
     let draught = CHECKED * lengths[0].min(lengths[1]) / longest;
-    RolledFlow::new(deadrises, lengths, draught, 1.0, 0.0).map(|_| ())
+    RolledFlow::oblique(deadrises, lengths, draught, [ratio, 1.0], 0.0).map(|_| ())
 }
 
 /// The wedge at `times` [s], as far as the flow can be followed, and why not further.

@@ -187,7 +187,7 @@ impl Theory {
         self.instants.iter().any(|now| now.wetted >= b || now.draught >= deepest)
     }
 
-    /// True for a rolled wedge.
+    /// True for a wedge that is rolled or moves sideways.
     pub fn rolls(&self) -> bool {
         matches!(self.source, Source::Rolled(..))
     }
@@ -206,9 +206,9 @@ impl Theory {
                 _ => (0.0, 0.0),
             };
             BodyMotion {
-                position: [x, y - (now.draught - start)],
+                position: [x + body.velocity[0] * now.time, y - (now.draught - start)],
                 angle: body.angle_deg.to_radians(),
-                velocity: [0.0, -now.speed],
+                velocity: [body.velocity[0], -now.speed],
                 acceleration: [0.0, -now.rate],
                 force: [sideways, now.force],
                 moment,
@@ -343,7 +343,8 @@ fn upright_entry(scene: &Scene, model: EntryModel) -> Result<(&Body, Section, Se
     let tank = &scene.tank;
     let still = tank.surface_amplitude == 0.0 && tank.surface_tilt_deg == 0.0 && tank.block().is_none();
     let rolls = rolled::rolls(scene, model);
-    let lopsided = body.angle_deg != 0.0 && !rolls || body.velocity[0] != 0.0 || body.angular_velocity_deg_per_s != 0.0;
+    let drifts = body.velocity[0] != 0.0 && !(rolls && body.motion == Motion::ConstantVelocity);
+    let lopsided = body.angle_deg != 0.0 && !rolls || drifts || body.angular_velocity_deg_per_s != 0.0;
     let on_tank = scene.gauges.iter().any(|gauge| matches!(gauge.on, GaugeFrame::Fixed));
     let obstacles = [
         (lopsided, "a body that is tilted, turns or moves sideways"),

@@ -1,4 +1,4 @@
-//! The vertical motion of a wedge with two deadrises that enters water, by boundary elements (THEORY EN34).
+//! The motion of a wedge with two deadrises that enters water, down or aslant, by boundary elements (THEORY EN34, EN47).
 
 use super::{RolledFlow, RolledLoad};
 use crate::asymmetric_similarity::AsymmetricFlow;
@@ -22,6 +22,8 @@ pub struct RolledEntry {
     pub draught: f64,
     /// Downward speed at t = 0 [m/s].
     pub speed: f64,
+    /// Constant speed to the right [m/s]; 0 for a free wedge.
+    pub sideways: f64,
     /// Acceleration of gravity, downward [m/s²].
     pub gravity: f64,
     /// Density of the water ρ [kg/m³].
@@ -59,7 +61,7 @@ impl RolledEntry {
         let start = [self.draught, self.speed];
         let [g, in_air, at_contact] = contact(self.motion, start, self.gravity);
         let begin = self.begin(at_contact, end - in_air, g)?;
-        let similar = RolledFlow::new(self.deadrises, self.lengths, begin, at_contact, 0.0)?;
+        let similar = RolledFlow::oblique(self.deadrises, self.lengths, begin, [self.sideways, at_contact], 0.0)?;
         let nothing = RolledLoad::default();
         let mut instants: Vec<_> = fall(start, in_air, g).map(|state| self.instant(state, &nothing)).collect();
         let [mut time, mut speed] = [in_air, at_contact];
@@ -86,8 +88,8 @@ impl RolledEntry {
         if self.draught > 0.0 {
             return Ok(self.draught);
         }
-        let similar =
-            AsymmetricFlow::solve(self.deadrises[0], self.deadrises[1]).map_err(|none| refuse(none.as_case()))?;
+        let similar = AsymmetricFlow::oblique(self.deadrises[0], self.deadrises[1], self.sideways / at_contact)
+            .map_err(|none| refuse(none.as_case()))?;
         let wet = (0..2).map(|i| self.lengths[i] / similar.faces()[i].peak).fold(f64::INFINITY, f64::min);
         let last = (at_contact * left + 0.5 * g * left * left).min(wet);
         let without_gravity = LATEST_UNDER_GRAVITY * at_contact * at_contact / self.gravity.max(f64::MIN_POSITIVE);

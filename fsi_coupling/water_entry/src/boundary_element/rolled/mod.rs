@@ -1,4 +1,4 @@
-//! Fully nonlinear potential flow about a wedge with two deadrises that moves vertically, by boundary elements (THEORY EN34, EN35).
+//! Fully nonlinear potential flow about a wedge with two deadrises that moves down, or aslant, by boundary elements (THEORY EN34, EN35).
 //!
 //! Each side is one of a symmetric flow, x outwards: surface, cut of the jet and separation are its own. One matrix joins them.
 
@@ -27,7 +27,7 @@ const SIZES: [f64; 2] = [0.8, 0.6];
 /// Deadrises between which it changes [deg].
 const FLAT_AND_STEEP: [f64; 2] = [20.0, 35.0];
 
-/// The water about a wedge with two deadrises that moves downwards.
+/// The water about a wedge with two deadrises that moves downwards, and sideways at a constant speed.
 #[derive(Clone, Debug)]
 pub struct RolledFlow {
     /// Right and left, x outwards.
@@ -49,6 +49,20 @@ impl RolledFlow {
         speed: f64,
         gravity: f64,
     ) -> Result<RolledFlow, OutOfRange> {
+        RolledFlow::oblique(deadrises, lengths, draught, [0.0, speed], gravity)
+    }
+
+    /// The same of a wedge that moves to the right and downwards with the speeds `[sideways, speed]` [m/s], the former constant (THEORY EN47).
+    ///
+    /// # Errors
+    /// As [`RolledFlow::new`].
+    pub fn oblique(
+        deadrises: [f64; 2],
+        lengths: [f64; 2],
+        draught: f64,
+        [sideways, speed]: [f64; 2],
+        gravity: f64,
+    ) -> Result<RolledFlow, OutOfRange> {
         let refused = |what: String, range: String| OutOfRange { what, range, next: EntryModel::Wcsph };
         let [least, most] = BOUNDARY_ELEMENT_DEADRISES;
         if let Some(deadrise) =
@@ -63,7 +77,7 @@ impl RolledFlow {
             let range = "draughts and downward speeds above zero";
             return Err(refused(format!("a draught of {draught} m and a speed of {speed} m/s"), range.into()));
         }
-        let similar = AsymmetricFlow::solve(deadrises[0], deadrises[1])
+        let similar = AsymmetricFlow::oblique(deadrises[0], deadrises[1], sideways / speed)
             .map_err(|none| refused(none.as_case(), "wedges with a similarity solution".into()))?;
         // as far as if it began later: what is far from a small wedge is near to it once its chines are wet
         let wet = (0..2).map(|i| lengths[i] / similar.faces()[i].peak).fold(0.0, f64::max);
@@ -71,9 +85,10 @@ impl RolledFlow {
         let side = |i: usize| {
             let sizes = Sizes { jet: element_size(deadrises[i]), ..Sizes::ROLLED };
             let face = Face::straight(deadrises[i], lengths[i]).at_draught(draught);
-            let surface = FreeSurface::through(&similar.faces()[i].surface, draught, speed, far);
+            let drift = [-sideways, sideways][i];
+            let surface = FreeSurface::through(&similar.faces()[i].surface, drift / speed, draught, speed, far);
             let surface = surface.redistributed(LowerSide { face: &face, underside: None, sizes });
-            EntryFlow { surface, face, underside: None, draught, speed, gravity, sizes, past: Vec::new() }
+            EntryFlow { surface, face, underside: None, draught, speed, drift, gravity, sizes, past: Vec::new() }
         };
         let sides = [side(1), side(0)];
         if let Some(side) =
@@ -105,8 +120,8 @@ impl RolledFlow {
         [self.sides[1].chines_wet(), self.sides[0].chines_wet()]
     }
 
-    /// The free surfaces, left and right, from far away to the jet's cut and from there to a wet chine, [x, y] [m], x to the right,
-    /// shape (n, 2).
+    /// The free surfaces, left and right, from far away to the jet's cut and from there to a wet chine, [x, y] [m], x to the right
+    /// from the apex, shape (n, 2).
     pub fn surfaces(&self) -> [Vec<[f64; 2]>; 2] {
         let left = self.sides[1].surface().into_iter().map(|[x, y]| [-x, y]).collect();
         [left, self.sides[0].surface()]

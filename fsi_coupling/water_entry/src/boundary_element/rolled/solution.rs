@@ -88,10 +88,11 @@ impl Velocities {
         Velocities { above, below, on_body: flow.face_velocities(&nodes.along, &beta.phi[nodes.contact..]) }
     }
 
-    /// φ_t in the wedge's axes, φ_t − V φ_y, where p = 0; 0 on the face.
+    /// φ_t in the wedge's axes, φ_t + U φ_x − V φ_y, where p = 0; 0 on the face.
     fn rates(&self, flow: &EntryFlow, nodes: &Nodes) -> Vec<f64> {
         let Nodes { z, end, foot, contact, .. } = nodes;
-        let body_rate = |v: &c64, z: &c64| -0.5 * v.norm_sqr() - flow.gravity * z.im - flow.speed * v.im;
+        let body = flow.keel_velocity();
+        let body_rate = |v: &c64, z: &c64| -0.5 * v.norm_sqr() - flow.gravity * z.im + (v * body.conj()).re;
         let of_end = self.above[*end];
         let of_foot = *self.below.first().unwrap_or(&self.on_body[0]);
         let in_cut = |k: usize| {
@@ -120,17 +121,17 @@ pub(super) fn solve(sides: &[EntryFlow; 2]) -> RolledSolution {
         _ => Known::Potential,
     };
     let contour = WholeContour::new(&z, (0..z.len()).map(known).collect());
-    let solved = |phi: [Vec<f64>; 2], speed: f64| {
-        let psi = z.iter().map(|z| speed * z.re).collect();
+    let solved = |phi: [Vec<f64>; 2], velocity: c64| {
+        let psi = z.iter().map(|z| (velocity.conj() * z).im).collect();
         let mut beta = Complex { phi: joined([&phi[0], &phi[1]], |phi| phi), psi };
         contour.solve(&mut beta);
         [0, 1].map(|i| of_side(&beta, counts[i], i == 1))
     };
     let potentials = [0, 1].map(|i| sides[i].potential(&nodes[i].z, nodes[i].end, nodes[i].foot));
-    let beta = solved(potentials, sides[0].speed);
+    let beta = solved(potentials, sides[0].keel_velocity());
     let velocities = [0, 1].map(|i| Velocities::new(&sides[i], &nodes[i], &beta[i]));
-    let rate = solved([0, 1].map(|i| velocities[i].rates(&sides[i], &nodes[i])), 0.0);
-    let per_acceleration = solved(counts.map(|count| vec![0.0; count]), 1.0);
+    let rate = solved([0, 1].map(|i| velocities[i].rates(&sides[i], &nodes[i])), c64::new(0.0, 0.0));
+    let per_acceleration = solved(counts.map(|count| vec![0.0; count]), c64::new(0.0, -1.0));
 
     let tangents = [0, 1].map(|i| sides[i].face.place(0.0).tangent);
     let sum: f64 = tangents.iter().map(|tangent| tangent.arg()).sum();
@@ -171,12 +172,12 @@ impl Place<'_> {
     /// EN35: [distance from the apex, p/ρ, p/ρ per acceleration] at the node k; at the apex the mean over the last element.
     fn pressure(&self, k: usize, rate: f64, per_acceleration: f64, singular: f64) -> [f64; 3] {
         let Nodes { z, contact, along, .. } = self.nodes;
-        let (speed, body) = (self.flow.speed, c64::new(0.0, -self.flow.speed));
+        let body = self.flow.keel_velocity();
         let is_apex = k + 1 == z.len();
         let at = k - contact - usize::from(is_apex);
         let share = if is_apex { 1.0 / (1.0 - 2.0 * singular) } else { 1.0 };
         let relative = share * (self.velocities.on_body[at] - body).norm_sqr();
-        let steady = -rate - 0.5 * relative + 0.5 * speed * speed - self.flow.gravity * z[k].im;
+        let steady = -rate - 0.5 * relative + 0.5 * body.norm_sqr() - self.flow.gravity * z[k].im;
         [along[k - contact], steady, -per_acceleration]
     }
 }

@@ -14,6 +14,7 @@ fn equal_faces_fall_as_a_symmetric_wedge() {
     assert!(end.is_none(), "{end:?}");
     let lengths = [0.5 * breadth / deadrise.to_radians().cos(); 2];
     let own = RolledEntry {
+        sideways: 0.0,
         deadrises: [deadrise.to_radians(); 2],
         lengths,
         motion,
@@ -37,6 +38,7 @@ fn equal_faces_fall_as_a_symmetric_wedge() {
 #[test]
 fn the_reason_of_the_end_is_returned() {
     let entry = RolledEntry {
+        sideways: 0.0,
         deadrises: [0.6, 0.7],
         lengths: [0.5; 2],
         motion: SectionMotion::Free(20.0),
