@@ -4,17 +4,18 @@
 use evidence::systems::scene;
 use run::{RunOptions, run};
 
-/// Waves of 1.5 m on 0.5 m of water before a wall 3 m behind the zone; antinodes at the wall and half a wavelength before it, a node between.
+/// Waves of 1.5 m, three spacings high, on 0.5 m of water before a wall 3 m behind the zone; places near the wall, half a wavelength before it and
+/// at the node between. The beach does nothing.
 const WALL: [&str; 6] = [
-    "tank.width=5.25",
-    "tank.beach={ length = 0.05, rate = 0 }",
-    "resolution.spacing=0.025",
-    "tank.wave_maker={ height = 0.05, length = 1.5, relaxation = 2.25 }",
-    "observe.level=[2.6, 1.875, 2.25]",
+    "tank.width=5.26",
+    "tank.beach={ length = 0.04, rate = 1e-9 }",
+    "resolution.spacing=0.02",
+    "tank.wave_maker={ height = 0.06, length = 1.5, relaxation = 2.26 }",
+    "observe.level=[2.6, 1.88, 2.26]",
     "time.sample_every=0.02",
 ];
 
-/// Amplitudes [m] at the antinodes and at the node in the periods before `end` [s].
+/// Amplitudes [m] near the wall, half a wavelength before it and at the node, in the four periods before `end` [s].
 fn amplitudes(end: f64) -> [f64; 3] {
     let end = format!("time.end={end}");
     let sets: Vec<&str> = WALL.iter().copied().chain([end.as_str()]).collect();
@@ -23,14 +24,14 @@ fn amplitudes(end: f64) -> [f64; 3] {
     [0, 1, 2].map(|k| 0.5 * gauges[k].height_m)
 }
 
-/// After 8 and after 16 periods the standing wave is twice as high as the waves that arrive, and no higher later.
+/// The standing wave is twice as high as the waves that arrive, 3 m behind the zone in which they are made, and no higher six periods later.
 #[test]
 fn waves_before_a_wall_keep_their_height() {
-    let (early, late) = (amplitudes(12.0), amplitudes(20.0));
+    let (early, late) = (amplitudes(14.0), amplitudes(20.0));
     println!("{early:?} m, later {late:?} m");
     for [wall, before, node] in [early, late] {
-        assert!((wall / 0.05 - 1.0).abs() < 0.1 && (before / 0.05 - 1.0).abs() < 0.1, "{wall} {before} m");
-        assert!(node < 0.2 * wall, "{node} m at the node");
+        assert!((wall / 0.06 - 1.0).abs() < 0.12 && (before / 0.06 - 1.0).abs() < 0.12, "{wall} {before} m");
+        assert!(node < 0.05 * wall, "{node} m at the node");
     }
-    assert!((late[0] / early[0] - 1.0).abs() < 0.05, "{} of {} m", late[0], early[0]);
+    assert!((late[0] / early[0] - 1.0).abs() < 0.1, "{} of {} m", late[0], early[0]);
 }
