@@ -2,44 +2,40 @@
 
 use crate::waves::linear_wave::LinearWave;
 
-/// k d from which the bound second harmonic of the velocity is left out: sinh⁴ kd would overflow, and it is below 1e-80.
-const DEEP: f64 = 50.0;
-
 /// A regular wave that runs to the right, to second order in its height (Stokes 1847; Dean & Dalrymple 1991):
 /// u = aω cosh k(y + d)/sinh kd cos θ + ¾ a²ωk cosh 2k(y + d)/sinh⁴ kd cos 2θ − U, θ = ωt − k(x − x₀), and v with sinh and −sin.
 ///
-/// U = a²ω/(2 d tanh kd) is the current that takes back what the waves carry to the end of a closed flume.
+/// U = a²ω/(2 d tanh kd) is the current against the waves by which no water is carried through a closed flume in the mean.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct IncidentWave {
     wave: LinearWave,
     amplitude: f64,
     origin: f64,
-    /// Amplitudes of u at the floor, of the first and of the second harmonic, and the current U [m/s].
-    speeds: [f64; 3],
+    /// The current U [m/s].
+    current: f64,
 }
 
 impl IncidentWave {
     /// WA16: the wave of a height [m] whose crest is at x = `origin` [m] at t = 0.
     pub fn of(wave: LinearWave, height: f64, origin: f64) -> IncidentWave {
-        let (a, omega, k, kd) = (0.5 * height, wave.angular_frequency, wave.wave_number, wave.kd());
-        let first = a * omega / kd.sinh();
-        let second = if kd < DEEP { 0.75 * a * a * omega * k / kd.sinh().powi(4) } else { 0.0 };
-        let current = 0.5 * a * a * omega / (wave.depth * kd.tanh());
-        IncidentWave { wave, amplitude: a, origin, speeds: [first, second, current] }
+        let a = 0.5 * height;
+        let current = 0.5 * a * a * wave.angular_frequency / (wave.depth * wave.kd().tanh());
+        IncidentWave { wave, amplitude: a, origin, current }
     }
 
     /// Velocity [m/s] at a point [m], y from the still water upwards, at a time [s].
     pub fn velocity(&self, [x, y]: [f64; 2], time: f64) -> [f64; 2] {
-        let LinearWave { depth, angular_frequency, wave_number: k } = self.wave;
-        let phase = angular_frequency * time - k * (x - self.origin);
-        let above_floor = k * (y + depth);
-        let [first, second, current] = self.speeds;
+        let LinearWave { depth, angular_frequency: omega, wave_number: k } = self.wave;
+        let (a, phase) = (self.amplitude, omega * time - k * (x - self.origin));
+        // cosh nk(y + d) and sinh over ½ exp(nkd), and sinh kd over ½ exp(kd): none overflows
+        let floor = 1.0 - (-2.0 * k * depth).exp();
         let harmonic = |amplitude: f64, n: f64| {
-            let ((sin, cos), z) = ((n * phase).sin_cos(), n * above_floor);
-            [amplitude * z.cosh() * cos, -amplitude * z.sinh() * sin]
+            let ((sin, cos), up, down) = ((n * phase).sin_cos(), (n * k * y).exp(), (-n * k * (y + 2.0 * depth)).exp());
+            [amplitude * (up + down) * cos, -amplitude * (up - down) * sin]
         };
-        let (one, two) = (harmonic(first, 1.0), harmonic(second, 2.0));
-        [one[0] + two[0] - current, one[1] + two[1]]
+        let one = harmonic(a * omega / floor, 1.0);
+        let two = harmonic(6.0 * a * a * omega * k * (-2.0 * k * depth).exp() / floor.powi(4), 2.0);
+        [one[0] + two[0] - self.current, one[1] + two[1]]
     }
 
     /// Height of the surface above the still water [m] at x [m] and a time [s]: a cos θ + ¼ a²k cosh kd (2 + cosh 2kd)/sinh³ kd cos 2θ.
@@ -58,6 +54,20 @@ mod tests {
 
     fn wave(length: f64) -> IncidentWave {
         IncidentWave::of(LinearWave::of_length(length, 0.5, 9.81), 0.02, -3.0)
+    }
+
+    /// The printed formula at kd = 1.57, and no overflow on deep water.
+    #[test]
+    fn the_velocity_is_that_of_the_printed_formula() {
+        let (wave, linear) = (wave(2.0), LinearWave::of_length(2.0, 0.5, 9.81));
+        let (k, omega, kd, phase) =
+            (linear.wave_number, linear.angular_frequency, linear.kd(), linear.wave_number * 3.2);
+        let first = 0.01 * omega * (k * 0.4).cosh() / kd.sinh() * phase.cos();
+        let second = 0.75e-4 * omega * k * (2.0 * k * 0.4).cosh() / kd.sinh().powi(4) * (2.0 * phase).cos();
+        let current = 0.5e-4 * omega / (0.5 * kd.tanh());
+        assert!((wave.velocity([0.2, -0.1], 0.0)[0] - (first + second - current)).abs() < 1e-15);
+        let deep = IncidentWave::of(LinearWave::of_length(0.1, 100.0, 9.81), 0.001, 0.0);
+        assert!(deep.velocity([0.3, -0.01], 0.2).iter().all(|v| v.is_finite() && *v != 0.0));
     }
 
     /// Free of divergence and of vorticity, no flow through the floor.

@@ -34,11 +34,14 @@ impl WaveTheory {
     }
 }
 
+/// Difference of a body's mass from that of the water that it displaces at the start from which it is not afloat there [-].
+const NOT_AFLOAT: f64 = 0.03;
+
 /// A factor of directions by directions.
 type Table = [[f64; DIRECTIONS]; DIRECTIONS];
 
-/// WA17: of the only, rigid body of a scene with a wave maker, fixed or free with springs to the tank; `None` for others, and for an outline that
-/// does not cross the surface just twice.
+/// WA17: of the only, rigid body of a scene with a wave maker, fixed, or free with springs to the tank, afloat and upright; `None` for
+/// others, and for an outline that does not cross the surface just twice.
 pub fn wave_theory(scene: &Scene) -> Option<WaveTheory> {
     let (wave, body) = (scene.wave()?, scene.body.as_ref()?);
     let rigid =
@@ -55,6 +58,9 @@ pub fn wave_theory(scene: &Scene) -> Option<WaveTheory> {
             Some(WaveTheory { loads, drift: Some(section.drift), ..WaveTheory::default() })
         }
         Motion::Free(freedom) => {
+            let afloat = (freedom.mass / (density * section.area) - 1.0).abs() < NOT_AFLOAT;
+            let upright = freedom.inertia.is_none() || section.stiffness[2][2] > 0.0;
+            (afloat && upright).then_some(())?;
             let (stiffness, damping) = springs(scene, centre)?;
             let free = [freedom.x(), freedom.y(), freedom.inertia.is_some()];
             let masses = [freedom.mass, freedom.inertia.unwrap_or(1.0)];

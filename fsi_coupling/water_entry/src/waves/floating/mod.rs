@@ -32,6 +32,8 @@ pub struct SectionInWaves {
     pub added_mass: [[f64; DIRECTIONS]; DIRECTIONS],
     /// Damping by waves [N s/m², N s/m, N s], by load and motion.
     pub damping: [[f64; DIRECTIONS]; DIRECTIONS],
+    /// Area below the still surface [m²].
+    pub area: f64,
     /// Stiffness by weight and buoyancy of a section afloat [N/m², N/m, N].
     pub stiffness: [[f64; DIRECTIONS]; DIRECTIONS],
     /// Amplitudes of the waves that the section held still sends back, and lets pass, over those that arrive [-].
@@ -73,11 +75,13 @@ impl SectionInWaves {
         let radiated = |j: usize, k: usize| load(&|i| phi[k + 1][i], j) * density;
         let table = |of: &dyn Fn(usize, usize) -> f64| [0, 1, 2].map(|j| [0, 1, 2].map(|k| of(j, k)));
         let [reflected, transmitted] = potentials.scattered(&panels);
+        let (area, stiffness) = area_and_stiffness(&wet, centre, density * gravity);
         Some(SectionInWaves {
             excitation,
             added_mass: table(&|j, k| radiated(j, k).re),
             damping: table(&|j, k| -omega * radiated(j, k).im),
-            stiffness: stiffness(&wet, centre, density * gravity),
+            area,
+            stiffness,
             reflected,
             transmitted,
             drift: 0.25
@@ -137,8 +141,8 @@ fn direction(panel: &Panel, centre: [f64; 2]) -> [f64; DIRECTIONS] {
     [nx, ny, arm[0] * ny - arm[1] * nx]
 }
 
-/// ρg times the waterline's breadth, first and second moment, with the moment of buoyancy and weight.
-fn stiffness(wet: &[[f64; 2]], centre: [f64; 2], weight: f64) -> [[f64; DIRECTIONS]; DIRECTIONS] {
+/// The area below the surface [m²]; ρg times the waterline's breadth, first and second moment, with the moment of buoyancy and weight.
+fn area_and_stiffness(wet: &[[f64; 2]], centre: [f64; 2], weight: f64) -> (f64, [[f64; DIRECTIONS]; DIRECTIONS]) {
     let (right, left) = (wet[0][0] - centre[0], wet[wet.len() - 1][0] - centre[0]);
     // area and moment of the submerged part, about the surface, by trapezoids of the wet line from right to left
     let (mut area, mut moment) = (0.0, 0.0);
@@ -149,7 +153,8 @@ fn stiffness(wet: &[[f64; 2]], centre: [f64; 2], weight: f64) -> [[f64; DIRECTIO
     }
     let righting = (right.powi(3) - left.powi(3)) / 3.0 + moment - area * centre[1];
     let first = 0.5 * (right * right - left * left);
-    [[0.0; 3], [0.0, weight * (right - left), weight * first], [0.0, weight * first, weight * righting]]
+    let of = [[0.0; 3], [0.0, weight * (right - left), weight * first], [0.0, weight * first, weight * righting]];
+    (area, of)
 }
 
 /// The scattered potential of waves of amplitude 1 m and the potentials of unit velocities, on the panels [m²/s, m, m, m²].
