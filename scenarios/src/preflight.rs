@@ -13,7 +13,7 @@
 use fsi_coupling::geometry::layout::tile;
 use fsi_coupling::natural_frequencies;
 use run::model_hierarchy::{Assessment, assess};
-use run::observers::wave_theory;
+use run::observers::{WaveTheory, wave_theory};
 use scene::{
     Body, CouplingScheme, Entry, ExchangeRatio, Modes, OutlineReport, Panel, QuantityOfInterest, Scene, Symmetry,
     cost_of_step, estimated_steps, known_compressibility_error, layout, line, memory_estimate, panel_exchanges,
@@ -75,7 +75,7 @@ pub struct Preflight {
     pub theories: Vec<Assessment>,
     /// Amplitudes of loads or motions in the waves asked for, by linear potential theory in place of the run (THEORY WA17).
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub in_waves: Option<String>,
+    pub in_waves: Option<WaveTheory>,
     /// What was understood of the file of `body.outline`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub outline: Option<OutlineReport>,
@@ -164,7 +164,7 @@ pub fn preflight(scene: &Scene, warnings: &[String]) -> Preflight {
             .entry()
             .filter(|_| scene.bodies.is_empty())
             .map_or(Vec::new(), |_| assess(scene, QuantityOfInterest::PeakForce)),
-        in_waves: scene.tank.wave_maker.and_then(|maker| Some(wave_theory(scene)?.to_text(0.5 * maker.height))),
+        in_waves: wave_theory(scene),
         outline: None,
         warnings: warnings.to_vec(),
     }
@@ -230,7 +230,7 @@ impl Preflight {
         lines.extend(self.outline.iter().map(OutlineReport::to_text));
         lines.extend(self.choice.iter().map(|why| format!("             chosen: {why}")));
         lines.extend(self.theories.iter().map(theory_line));
-        lines.extend(self.in_waves.iter().map(|text| format!("linear waves {text}")));
+        lines.extend(self.in_waves.iter().map(|theory| format!("linear waves {}", theory.to_text())));
         if !self.theories.is_empty() {
             lines.push(format!("  {:<17}about {:.0} core-seconds", "particles", self.core_seconds));
         }

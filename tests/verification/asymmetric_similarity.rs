@@ -1,4 +1,4 @@
-//! A wedge with two deadrises (THEORY EN31–EN35), one that moves aslant (EN47) and a flat plate (EN48): the similar flow against that of a symmetric
+//! A wedge with two deadrises (THEORY EN31–EN35), one that moves obliquely (EN47) and a flat plate (EN48): the similar flow against that of a symmetric
 //! wedge and the water's momentum, boundary elements against the similar flow.
 
 use evidence::long::with_long;
@@ -85,7 +85,7 @@ fn boundary_elements_keep_the_similar_flow() {
     }
 }
 
-/// Wedges that move aslant: the force and the moment of the pressure are those that the water's momentum gains, and the work is its energy.
+/// Wedges that move obliquely: the force and the moment of the pressure are those that the water's momentum gains, and the work is its energy.
 /// Boundary elements agree to 1.5 % of the resultant.
 #[test]
 fn an_oblique_entry_keeps_momentum_and_agrees_with_boundary_elements() {
@@ -205,11 +205,11 @@ fn a_scene_with_a_rolled_wedge_has_the_similar_load() {
     assert!(refused.contains("may turn or move sideways"), "{refused}");
 }
 
-/// The same of an upright wedge that moves aslant: a scene has the similar load by boundary elements, and moves sideways.
+/// The same of an upright wedge that moves obliquely: a scene has the similar load by boundary elements, and moves sideways.
 #[test]
-fn a_scene_with_a_wedge_that_moves_aslant_has_the_similar_load() {
+fn a_scene_with_a_wedge_that_moves_obliquely_has_the_similar_load() {
     let text = ROLLED.replace("angle_deg = 10.0\n", "").replace("[0.0, -2.0]", "[1.0, -2.0]");
-    let scene = load_text("aslant.toml", &text, &[]).expect("a scene").scene;
+    let scene = load_text("oblique.toml", &text, &[]).expect("a scene").scene;
     let outcome = run(&scene, &RunOptions::default()).expect("a run");
     let exact = AsymmetricFlow::oblique(f64::to_radians(30.0), f64::to_radians(30.0), 0.5).expect("a solution");
     let (rho, h) = (scene.water().density, SPEED * 0.25);
@@ -225,6 +225,6 @@ fn a_scene_with_a_wedge_that_moves_aslant_has_the_similar_load() {
     }
     let free =
         text.replace("motion = \"constant_velocity\"", "motion = \"free\"\nmass = 2000.0\nfree = [\"x\", \"y\"]");
-    let refused = load_text("aslant.toml", &free, &[]).expect_err("refused").to_string();
+    let refused = load_text("oblique.toml", &free, &[]).expect_err("refused").to_string();
     assert!(refused.contains("moves sideways"), "{refused}");
 }

@@ -33,6 +33,7 @@ fn waves_that_cannot_be_made_are_refused() {
         (&["tank.beach.length=50"], &["`tank.beach.length` = 50", "less than the 36 m"]),
         (&["tank.beach.length=0"], &["`tank.beach.length` = 0", "above 0"]),
         (&["tank.wave_maker.relaxation=0"], &["`tank.wave_maker.relaxation` = 0", "above 0"]),
+        (&["tank.wave_maker.relaxation=0.05"], &["`tank.wave_maker.relaxation` = 0.05", "at least 0.09 m"]),
         (&["tank.wave_maker.relaxation=32"], &["`tank.wave_maker.relaxation` = 32", "below 31.5 m"]),
         (&["tank.wave_maker.heigth=1"], &["unknown key `tank.wave_maker.heigth`", "`tank.wave_maker.height`"]),
     ];

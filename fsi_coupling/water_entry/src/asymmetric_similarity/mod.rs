@@ -1,4 +1,4 @@
-//! Entry of a wedge with two deadrises at constant speed, down or aslant: the similar flow without gravity and viscosity (THEORY EN31–EN33,
+//! Entry of a wedge with two deadrises at constant speed, down or obliquely: the similar flow without gravity and viscosity (THEORY EN31–EN33,
 //! EN47; Semenov & Iafrati 2006; Semenov & Yoon 2009).
 //!
 //! The water turns round the apex from the flatter to the steeper face, or from the face that goes ahead to the one behind. The velocity there is infinite, the pressure is −∞, force and moment are

@@ -13,14 +13,16 @@ pub struct IncidentWave {
     origin: f64,
     /// The current U [m/s].
     current: f64,
+    /// Whether it has its second harmonic.
+    second_order: bool,
 }
 
 impl IncidentWave {
-    /// WA16: the wave of a height [m] whose crest is at x = `origin` [m] at t = 0.
-    pub fn of(wave: LinearWave, height: f64, origin: f64) -> IncidentWave {
+    /// WA16: the wave of a height [m] whose crest is at x = `origin` [m] at t = 0, with or without its second harmonic.
+    pub fn of(wave: LinearWave, height: f64, origin: f64, second_order: bool) -> IncidentWave {
         let a = 0.5 * height;
         let current = 0.5 * a * a * wave.angular_frequency / (wave.depth * wave.kd().tanh());
-        IncidentWave { wave, amplitude: a, origin, current }
+        IncidentWave { wave, amplitude: a, origin, current, second_order }
     }
 
     /// Velocity [m/s] at a point [m], y from the still water upwards, at a time [s].
@@ -34,7 +36,8 @@ impl IncidentWave {
             [amplitude * (up + down) * cos, -amplitude * (up - down) * sin]
         };
         let one = harmonic(a * omega / floor, 1.0);
-        let two = harmonic(6.0 * a * a * omega * k * (-2.0 * k * depth).exp() / floor.powi(4), 2.0);
+        let bound = if self.second_order { 6.0 } else { 0.0 };
+        let two = harmonic(bound * a * a * omega * k * (-2.0 * k * depth).exp() / floor.powi(4), 2.0);
         [one[0] + two[0] - self.current, one[1] + two[1]]
     }
 
@@ -53,7 +56,7 @@ mod tests {
     use super::*;
 
     fn wave(length: f64) -> IncidentWave {
-        IncidentWave::of(LinearWave::of_length(length, 0.5, 9.81), 0.02, -3.0)
+        IncidentWave::of(LinearWave::of_length(length, 0.5, 9.81), 0.02, -3.0, true)
     }
 
     /// The printed formula at kd = 1.57, and no overflow on deep water.
@@ -66,7 +69,7 @@ mod tests {
         let second = 0.75e-4 * omega * k * (2.0 * k * 0.4).cosh() / kd.sinh().powi(4) * (2.0 * phase).cos();
         let current = 0.5e-4 * omega / (0.5 * kd.tanh());
         assert!((wave.velocity([0.2, -0.1], 0.0)[0] - (first + second - current)).abs() < 1e-15);
-        let deep = IncidentWave::of(LinearWave::of_length(0.1, 100.0, 9.81), 0.001, 0.0);
+        let deep = IncidentWave::of(LinearWave::of_length(0.1, 100.0, 9.81), 0.001, 0.0, true);
         assert!(deep.velocity([0.3, -0.01], 0.2).iter().all(|v| v.is_finite() && *v != 0.0));
     }
 
@@ -100,7 +103,7 @@ mod tests {
     #[test]
     fn the_surface_moves_with_the_water_and_no_water_is_carried() {
         let rest = |height: f64| {
-            let wave = IncidentWave::of(LinearWave::of_length(2.0, 0.5, 9.81), height, 0.0);
+            let wave = IncidentWave::of(LinearWave::of_length(2.0, 0.5, 9.81), height, 0.0, true);
             let period = wave.wave.period();
             let (mut worst, mut carried, e, n) = (0.0_f64, 0.0, 1e-5, 200);
             for k in 0..n {

@@ -12,9 +12,9 @@ pub(super) fn waves_section(record: &Record) -> Vec<Block> {
 fn of_body(body: &BodyInWaves) -> Vec<Block> {
     let amplitude = |what: &str, value: Option<f64>| value.map(|a| format!(" {what} {}.", with_unit(a, "m")));
     let amplitudes: String = [
-        amplitude("Amplitude of the waves that arrive", body.incident_m),
-        amplitude("Sent back", body.reflected_m),
-        amplitude("Behind it", body.transmitted_m),
+        amplitude("Amplitude of the incident waves", body.incident_m),
+        amplitude("Reflected", body.reflected_m),
+        amplitude("Transmitted", body.transmitted_m),
     ]
     .into_iter()
     .flatten()
@@ -22,7 +22,7 @@ fn of_body(body: &BodyInWaves) -> Vec<Block> {
     let [from, to] = body.window_s;
     let text = format!(
         "{}: mean and harmonics over {} periods, {from:.2} to {to:.2} s. ± is the 95 % interval of their mean by the scatter from period to \
-         period; it does not hold what the spacing takes. The mean is less that before the waves.{amplitudes} Over a: per metre of incident \
+         period; it does not include the error of the spacing. The mean is less that before the waves.{amplitudes} Over a: per metre of incident \
          amplitude, mean and second harmonic per square metre. By theory: linear potential theory.",
         body.body, body.periods
     );

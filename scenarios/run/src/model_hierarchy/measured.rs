@@ -153,18 +153,26 @@ fn of_round_bottom(scene: &Scene, theory: &Theory, want: QuantityOfInterest) -> 
     }
 }
 
+/// Largest horizontal over vertical speed at which boundary elements were judged [-].
+const OBLIQUE: f64 = 0.5;
+
 /// About a rolled wedge: at constant speed against the asymmetric similar flow, in drops against particles.
 fn of_rolled_wedge(scene: &Scene, want: QuantityOfInterest) -> Option<Measured> {
     let body = scene.body.as_ref()?;
     let deadrises = rolled::deadrises(body)?;
     let falls = matches!(body.motion, Motion::Free(_));
+    // with a horizontal speed only loads were judged, up to half of the vertical one
+    let [along, down] = body.velocity;
+    if along != 0.0 && (falls || want == QuantityOfInterest::PeakPressure || along.abs() > OBLIQUE * down.abs()) {
+        return None;
+    }
     let past_chines = rolled::wets_chines(scene)?;
     let [least, most] = if falls { ROLLED_DROP_FACES } else { BOUNDARY_ELEMENT_DEADRISES };
     if !deadrises.iter().all(|deadrise| (least - 1e-6..=most + 1e-6).contains(deadrise)) {
         return None;
     }
     let drop = "six drops of rolled wedges with faces of 20 to 57 degrees, against particles";
-    let constant = "rolled wedges at constant speed, against the asymmetric similarity solution";
+    let constant = "rolled and oblique wedges at constant speed, against the asymmetric similarity solution";
     match want {
         QuantityOfInterest::Motion if falls => Some(Measured { error: ROLLED_DROP_ERRORS[0], case: drop.into() }),
         QuantityOfInterest::Motion => Some(Measured { error: 0.0, case: "a motion that is given".into() }),

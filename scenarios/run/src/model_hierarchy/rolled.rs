@@ -1,4 +1,4 @@
-//! A wedge that is rolled or moves aslant, by boundary elements (THEORY EN34, EN47).
+//! A wedge that is rolled or moves obliquely, by boundary elements (THEORY EN34, EN47).
 
 use scene::{Body, Scene, Shape};
 use water_entry::{

@@ -320,7 +320,7 @@ fn refuse(what: &str) -> OutOfRange {
     OutOfRange {
         what: what.into(),
         range:
-            "a rigid symmetric body that goes straight down into still water (boundary elements: a rolled wedge too)"
+            "a rigid symmetric body that goes straight down into still water (boundary elements: a rolled wedge too, at constant velocity also sideways)"
                 .into(),
         next: EntryModel::Wcsph,
     }

@@ -46,7 +46,7 @@ pub struct PerAmplitude {
 }
 
 impl Harmonics {
-    /// The same with its response to waves of an amplitude [m], beside first harmonic and mean by theory.
+    /// The same with its response to waves of an amplitude [m], with first harmonic and mean by theory.
     pub(super) fn over(self, amplitude: Option<f64>, [first, mean]: [Option<f64>; 2]) -> Harmonics {
         let per_amplitude = amplitude.filter(|a| *a > 0.0).map(|a| PerAmplitude {
             mean: self.mean / (a * a),
@@ -60,15 +60,17 @@ impl Harmonics {
 }
 
 /// 1/T ∫ f exp(−inωt) dt over a period T = 2π/ω from `from` of a curve (time, f) that is linear between its points, real and imaginary part, n = 0.
-/// 1, 2, of f less its mean and twice for n = 1, 2; `None` where the curve does not reach so far.
+/// 1, 2, for n = 1, 2 twice and of f less its mean and less the line between the ends of the period, which a drift is; `None` where the curve does not reach so far.
 pub fn over_a_period(curve: &[[f64; 2]], omega: f64, from: f64) -> Option<[[f64; 2]; 3]> {
     let (period, points) = (TAU / omega, clipped(curve, from, from + TAU / omega)?);
     let integral = |f: &dyn Fn([f64; 2]) -> f64| {
         points.windows(2).map(|p| 0.5 * (p[1][0] - p[0][0]) * (f(p[0]) + f(p[1]))).sum::<f64>() / period
     };
     let mean = integral(&|[_, f]| f);
+    let ([_, first], [_, last]) = (points[0], points[points.len() - 1]);
+    let line = |t: f64| mean + (last - first) * ((t - from) / period - 0.5);
     let part = |n: f64| {
-        let of = |wave: fn(f64) -> f64| 2.0 * integral(&|[t, f]| (f - mean) * wave(n * omega * t));
+        let of = |wave: fn(f64) -> f64| 2.0 * integral(&|[t, f]| (f - line(t)) * wave(n * omega * t));
         [of(f64::cos), -of(f64::sin)]
     };
     Some([[mean, 0.0], part(1.0), part(2.0)])
@@ -138,6 +140,13 @@ mod tests {
         assert!(found.mean_plus_minus < 1e-6 && found.first_plus_minus < 1e-5, "{found:?}");
         assert_eq!(harmonics(&curve(of), omega, 20.0, 10, 0.0), None);
         assert_eq!(harmonics(&curve(of), omega, 20.0, 1, 0.0), None);
+    }
+
+    /// A drift is no harmonic.
+    #[test]
+    fn a_drift_is_no_harmonic() {
+        let found = harmonics(&curve(|t| 0.1 * t), 3.0, 20.0, 6, 0.0).expect("periods");
+        assert!(found.first < 1e-12 && found.second < 1e-12, "{found:?}");
     }
 
     /// An amplitude that goes up and down from period to period, by 10 %: four of them are known to ±18 % (3.182 · 2/√3 · 0.1/√4).

@@ -1,7 +1,7 @@
 //! A body in regular waves: harmonics and means of its loads and motions, and the waves before and behind it (THEORY GE29).
 
 use fsi_coupling::geometry::polygon;
-use scene::Scene;
+use scene::{Motion, Scene};
 use serde::Serialize;
 use water_entry::waves::linear_wave::LinearWave;
 use water_entry::waves::separation::{Amplitude, separate};
@@ -68,10 +68,23 @@ impl Series {
 
     fn body_in_waves(&self, scene: &Scene, body: &scene::Body) -> Option<BodyInWaves> {
         let (wave, [min, max]) = (scene.wave()?, polygon::bounding_box(&body.placed_outline()));
+        // a body that is towed meets the waves at another frequency
+        let towed = matches!(body.motion, Motion::ConstantVelocity) && body.velocity != [0.0; 2];
+        (!towed).then_some(())?;
+        // gauges up to the next body, the relaxation zone or the beach
+        let others = scene.all_bodies().map(|other| polygon::bounding_box(&other.placed_outline()));
+        let (mut clear, mut end) =
+            (scene.relaxation().map_or(f64::NEG_INFINITY, |zone| zone.zone.from), calm_end(scene));
+        for [least, most] in others.filter(|[least, _]| least[0] != min[0]) {
+            if most[0] <= min[0] {
+                clear = clear.max(most[0]);
+            } else if least[0] >= max[0] {
+                end = end.min(least[0]);
+            }
+        }
         let gauges = &scene.observe.level;
-        let clear = scene.relaxation().map_or(f64::NEG_INFINITY, |zone| zone.zone.from);
         let before: Vec<f64> = gauges.iter().copied().filter(|x| *x < min[0] && *x >= clear).collect();
-        let behind: Vec<f64> = gauges.iter().copied().filter(|x| *x > max[0]).collect();
+        let behind: Vec<f64> = gauges.iter().copied().filter(|x| *x > max[0] && *x <= end).collect();
         let farthest = before.iter().copied().fold(min[0], f64::min);
         let window = window(scene, &wave, min[0], min[0] - farthest, self.rows().last()?[0])?;
         let omega = wave.angular_frequency;
@@ -130,6 +143,11 @@ impl Series {
         let each: Vec<Amplitude> = each.collect::<Option<_>>()?;
         Some([0, 1].map(|part| each.iter().map(|a| a[part]).sum::<f64>() / count as f64))
     }
+}
+
+/// Where the beach begins [m], or infinity.
+pub(super) fn calm_end(scene: &Scene) -> f64 {
+    scene.beach().map_or(f64::INFINITY, |beach| beach.from)
 }
 
 /// From when full waves, and those that the body sent back, have passed the gauges up to `reach` [m] before the body at x [m], to the end of the run or

@@ -11,7 +11,7 @@ use water_entry::waves::separation::{Amplitude, separate};
 
 use super::harmonics::over_a_period;
 use super::series::Series;
-use super::wave_loads::BodyInWaves;
+use super::wave_loads::{BodyInWaves, calm_end};
 
 /// Periods at the end of the run over which harmonics are taken.
 const PERIODS: f64 = 4.0;
@@ -99,7 +99,7 @@ impl Series {
             .all_bodies()
             .map(|b| polygon::bounding_box(&b.placed_outline())[1][0])
             .fold(f64::NEG_INFINITY, f64::max);
-        let counts = |x: f64| settled(x) && x > behind;
+        let counts = |x: f64| settled(x) && x > behind && x <= calm_end(scene);
         let regular: Vec<(f64, Amplitude)> = amplitudes.iter().filter(|(x, _)| counts(*x)).copied().collect();
         let of_regular = gauges.iter().filter(|g| counts(g.x_m));
         let decays: Vec<[f64; 2]> = of_regular.map(|g| [g.x_m, g.height_m.ln()]).collect();

@@ -31,8 +31,8 @@ pub struct WaveMaker {
     /// The piston's second harmonic of Madsen (1971), without which a free wave of half the period runs behind the waves.
     #[serde(default = "usual::second_order")]
     pub second_order: bool,
-    /// Length from the piston in which the water is led to the waves asked for, once they fill it, so that waves that come back are
-    /// absorbed (THEORY WA16) [m]. absent: none, and the run ends before waves come back twice.
+    /// Length from the piston in which the velocity is relaxed to that of the incident wave, once full waves fill it, so that waves that
+    /// come back are absorbed (THEORY WA16) [m]. absent: none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("exclusiveMinimum" = 0, "x-default" = "none"))]
     pub relaxation: Option<f64>,
@@ -82,12 +82,12 @@ impl Scene {
 
     /// WA16: the zone before the wave maker in which the water is led to its waves; `None` without one.
     pub fn relaxation(&self) -> Option<RelaxationZone> {
-        let WaveMaker { height, ramp, relaxation, .. } = self.tank.wave_maker?;
+        let WaveMaker { height, ramp, relaxation, second_order, .. } = self.tank.wave_maker?;
         let (length, wave, piston) = (relaxation?, self.wave()?, -0.5 * self.tank.width);
         let rate = RELAXATION_RATE * wave.group_speed() / length;
         Some(RelaxationZone {
             zone: DampingZone { from: piston + length, length: -length, rate },
-            wave: IncidentWave::of(wave, height, piston),
+            wave: IncidentWave::of(wave, height, piston, second_order),
             growth: [ramp * wave.period() + length / wave.group_speed(), wave.period()],
         })
     }

@@ -16,6 +16,8 @@ const CLEAR_OF_PISTON: f64 = 4.0;
 const RESOLVED_HEIGHT: f64 = 4.0;
 /// Share of its height that a wave may lose per wavelength by viscosity [-].
 const LARGEST_LOSS: f64 = 0.01;
+/// Samples per period below which the second harmonic of a load is read wrong.
+const SAMPLES: f64 = 20.0;
 /// Calming below which noise beside a body took more of the waves than less calming saved (section in waves, 10 spacings per draught) [-].
 const LEAST_CALMING: f64 = 0.02;
 /// Height over that of breaking from which waves are no longer those of linear theory [-].
@@ -77,9 +79,15 @@ fn check_wave_maker(scene: &Scene, maker: &WaveMaker) -> Result<(), Problem> {
     let expected = format_args!("at least {} m, above the crests", significant(crest));
     require(scene.tank.height >= crest, "tank.height", scene.tank.height, expected)?;
     let between = scene.tank.width - scene.tank.beach.map_or(0.0, |beach| beach.length);
+    let least = CLEAR_OF_PISTON * scene.resolution.spacing;
     let relaxation = maker.relaxation.unwrap_or(0.5 * between);
-    let expected = format_args!("above 0 and below {} m, the width of the tank less the beach", significant(between));
-    require(relaxation > 0.0 && relaxation < between, &key("relaxation"), relaxation, expected)?;
+    let expected = format_args!(
+        "at least {} m, {CLEAR_OF_PISTON} spacings, and below {} m, the width of the tank less the beach",
+        significant(least),
+        significant(between)
+    );
+    let fits = maker.relaxation.is_none() || (least..between).contains(&relaxation);
+    require(fits, &key("relaxation"), relaxation, expected)?;
     check_way_of_piston(scene, -0.5 * scene.tank.width + piston.reach())
 }
 
@@ -146,6 +154,28 @@ fn check_way_of_piston(scene: &Scene, end: f64) -> Result<(), Problem> {
     others.try_for_each(|(i, body)| clear_of_it(body).map_err(|problem| further(problem, i)))
 }
 
+/// A body where the waves are relaxed or damped, or whose incident waves no gauges tell.
+fn in_no_waves(scene: &Scene, body: &Body) -> Option<String> {
+    let [min, max] = polygon::bounding_box(&body.placed_outline());
+    let from = scene.relaxation().map(|zone| zone.zone.from);
+    let name = &body.name;
+    if from.is_some_and(|from| min[0] < from) {
+        return Some(format!(
+            "body {name} is in the relaxation zone of the wave maker: its loads are not those of the waves"
+        ));
+    }
+    if scene.beach().is_some_and(|beach| max[0] > beach.from) {
+        return Some(format!(
+            "body {name} is on the beach, where the water is braked: its loads are not those of the waves"
+        ));
+    }
+    let clear = from.unwrap_or(f64::NEG_INFINITY);
+    let gauges = scene.observe.level.iter().filter(|x| (clear..min[0]).contains(*x)).count();
+    (gauges < 2).then(|| {
+        format!("fewer than two observe.level before body {name}: the amplitude of its incident waves is not known")
+    })
+}
+
 /// Warnings about waves that run nevertheless.
 pub(crate) fn wave_warnings(scene: &Scene) -> Vec<String> {
     let (Some(maker), Some(wave)) = (scene.tank.wave_maker, scene.wave()) else { return Vec::new() };
@@ -187,6 +217,15 @@ pub(crate) fn wave_warnings(scene: &Scene) -> Vec<String> {
         ));
     }
     warnings.extend(early_end(scene));
+    warnings.extend(scene.all_bodies().filter_map(|body| in_no_waves(scene, body)));
+    let samples = wave.period() / scene.time.sample_every;
+    if scene.all_bodies().next().is_some() && samples < SAMPLES {
+        warnings.push(format!(
+            "time.sample_every = {} s gives {} samples in a period: harmonics of loads need {SAMPLES}",
+            scene.time.sample_every,
+            significant(samples)
+        ));
+    }
     let rows = maker.height / scene.resolution.spacing;
     if rows < RESOLVED_HEIGHT {
         warnings.push(format!(
@@ -203,7 +242,7 @@ pub(crate) fn wave_warnings(scene: &Scene) -> Vec<String> {
         ));
     }
     let ursell = maker.height * length * length / wave.depth.powi(3);
-    if maker.second_order && ursell > URSELL {
+    if (maker.second_order || maker.relaxation.is_some()) && ursell > URSELL {
         warnings.push(format!(
             "H L^2/d^3 = {}: above {URSELL} the second harmonic of tank.wave_maker.second_order does not make the shape of the wave",
             significant(ursell)

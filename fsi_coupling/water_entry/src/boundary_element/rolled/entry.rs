@@ -1,4 +1,4 @@
-//! The motion of a wedge with two deadrises that enters water, down or aslant, by boundary elements (THEORY EN34, EN47).
+//! The motion of a wedge with two deadrises that enters water, down or obliquely, by boundary elements (THEORY EN34, EN47).
 
 use super::{RolledFlow, RolledLoad};
 use crate::asymmetric_similarity::AsymmetricFlow;

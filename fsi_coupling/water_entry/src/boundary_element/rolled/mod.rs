@@ -1,4 +1,4 @@
-//! Fully nonlinear potential flow about a wedge with two deadrises that moves down, or aslant, by boundary elements (THEORY EN34, EN35).
+//! Fully nonlinear potential flow about a wedge with two deadrises that moves down, or obliquely, by boundary elements (THEORY EN34, EN35).
 //!
 //! Each side is one of a symmetric flow, x outwards: surface, cut of the jet and separation are its own. One matrix joins them.
 

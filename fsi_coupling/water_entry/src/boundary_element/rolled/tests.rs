@@ -41,7 +41,7 @@ fn at_constant_speed_it_is_the_similar_flow() {
 
 /// With a speed sideways: force and moment within 1.5 % of the resultant of the similar flow, and the mirror image moves alike.
 #[test]
-fn at_constant_velocity_aslant_it_is_the_similar_flow() {
+fn at_constant_velocity_obliquely_it_is_the_similar_flow() {
     for ([left, right], ratio) in [([30.0, 30.0], 0.5), ([20.0, 40.0], 0.25), ([40.0, 20.0], -0.25)] {
         let deadrises = [left, right].map(f64::to_radians);
         let exact = AsymmetricFlow::oblique(deadrises[0], deadrises[1], ratio).expect("a solution");

@@ -11,6 +11,9 @@ const ON_END: usize = 28;
 const GRADED: f64 = 1.3;
 /// Reach of the surface to each side: wavelengths and depths.
 const REACH: [f64; 2] = [1.8, 1.2];
+/// Most panels of the surface on a side, and fewest per wavelength.
+const MOST: f64 = 420.0;
+const FEWEST: f64 = 24.0;
 /// Depth that counts, in wavelengths and in draughts: below it the water is at rest.
 const DEEP: [f64; 2] = [1.5, 10.0];
 
@@ -43,8 +46,9 @@ impl Panel {
     }
 }
 
-/// Panels from the right end of the surface to the section, round it, to the left end, down and up the ends; and the depth that counts [m].
-pub(super) fn contour(wet: &[[f64; 2]], wave_number: f64, depth: f64) -> (Vec<Panel>, f64) {
+/// Panels from the right end of the surface to the section, round it, to the left end, down and up the ends; and the depth that counts [m]. `None` where they would be
+/// too many.
+pub(super) fn contour(wet: &[[f64; 2]], wave_number: f64, depth: f64) -> Option<(Vec<Panel>, f64)> {
     let wave = TAU / wave_number;
     let draught = -wet.iter().map(|p| p[1]).fold(0.0, f64::min);
     let depth = depth.min((DEEP[0] * wave).max(DEEP[1] * draught));
@@ -63,7 +67,9 @@ pub(super) fn contour(wet: &[[f64; 2]], wave_number: f64, depth: f64) -> (Vec<Pa
         let at = |i: usize| [0, 1].map(|k| a[k] + (b[k] - a[k]) * share(i));
         panels.extend((0..n).map(|i| Panel::between(at(i), at(i + 1), part)));
     };
-    let on_surface = (PER_WAVE * reach / wave).ceil() as usize;
+    let per_wave = PER_WAVE.min(MOST * wave / reach);
+    (per_wave >= FEWEST).then_some(())?;
+    let on_surface = (per_wave * reach / wave).ceil() as usize;
     let (right, left) = (wet[0], wet[wet.len() - 1]);
     line([right[0] + reach, 0.0], right, on_surface, Some(true), Part::Surface);
     let total: f64 = wet.windows(2).map(|p| (p[1][0] - p[0][0]).hypot(p[1][1] - p[0][1])).sum();
@@ -80,7 +86,7 @@ pub(super) fn contour(wet: &[[f64; 2]], wave_number: f64, depth: f64) -> (Vec<Pa
     line(left, [left[0] - reach, 0.0], on_surface, Some(false), Part::Surface);
     line([left[0] - reach, 0.0], [left[0] - reach, -depth], ON_END, Some(false), Part::End);
     line([right[0] + reach, -depth], [right[0] + reach, 0.0], ON_END, Some(true), Part::End);
-    (panels, depth)
+    Some((panels, depth))
 }
 
 /// The part below y = 0 of a counter-clockwise outline, from the right waterline to the left one; `None` where the outline does not cross the

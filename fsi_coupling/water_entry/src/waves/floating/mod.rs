@@ -34,6 +34,8 @@ pub struct SectionInWaves {
     pub damping: [[f64; DIRECTIONS]; DIRECTIONS],
     /// Area below the still surface [m²].
     pub area: f64,
+    /// x of the centre of that area less x of the centre of mass [m]: 0 at rest.
+    pub lever: f64,
     /// Stiffness by weight and buoyancy of a section afloat [N/m², N/m, N].
     pub stiffness: [[f64; DIRECTIONS]; DIRECTIONS],
     /// Amplitudes of the waves that the section held still sends back, and lets pass, over those that arrive [-].
@@ -47,7 +49,7 @@ pub struct SectionInWaves {
 
 impl SectionInWaves {
     /// Of a counter-clockwise `outline` [m] about a `centre` of mass [m], y = 0 on the still surface; waves run to the right. `None` where the outline does
-    /// not cross the surface just twice, or reaches the floor.
+    /// not cross the surface just twice, reaches the floor, or is many wavelengths deep.
     pub fn new(
         outline: &[[f64; 2]],
         centre: [f64; 2],
@@ -59,7 +61,7 @@ impl SectionInWaves {
         if wet.iter().any(|p| p[1] <= -wave.depth) {
             return None;
         }
-        let (panels, depth) = contour(&wet, wave.wave_number, wave.depth);
+        let (panels, depth) = contour(&wet, wave.wave_number, wave.depth)?;
         let potentials = Potentials::solve(&panels, depth, centre, wave, gravity);
         let omega = wave.angular_frequency;
         let load = |phi: &dyn Fn(usize) -> c64, j: usize| {
@@ -75,12 +77,13 @@ impl SectionInWaves {
         let radiated = |j: usize, k: usize| load(&|i| phi[k + 1][i], j) * density;
         let table = |of: &dyn Fn(usize, usize) -> f64| [0, 1, 2].map(|j| [0, 1, 2].map(|k| of(j, k)));
         let [reflected, transmitted] = potentials.scattered(&panels);
-        let (area, stiffness) = area_and_stiffness(&wet, centre, density * gravity);
+        let (area, lever, stiffness) = hydrostatics(&wet, centre, density * gravity);
         Some(SectionInWaves {
             excitation,
             added_mass: table(&|j, k| radiated(j, k).re),
             damping: table(&|j, k| -omega * radiated(j, k).im),
             area,
+            lever,
             stiffness,
             reflected,
             transmitted,
@@ -141,20 +144,21 @@ fn direction(panel: &Panel, centre: [f64; 2]) -> [f64; DIRECTIONS] {
     [nx, ny, arm[0] * ny - arm[1] * nx]
 }
 
-/// The area below the surface [m²]; ρg times the waterline's breadth, first and second moment, with the moment of buoyancy and weight.
-fn area_and_stiffness(wet: &[[f64; 2]], centre: [f64; 2], weight: f64) -> (f64, [[f64; DIRECTIONS]; DIRECTIONS]) {
+/// The area below the surface [m²], the lever of its centre [m]; ρg times the waterline's breadth, first and second moment, with the moment of buoyancy and weight.
+fn hydrostatics(wet: &[[f64; 2]], centre: [f64; 2], weight: f64) -> (f64, f64, [[f64; DIRECTIONS]; DIRECTIONS]) {
     let (right, left) = (wet[0][0] - centre[0], wet[wet.len() - 1][0] - centre[0]);
     // area and moment of the submerged part, about the surface, by trapezoids of the wet line from right to left
-    let (mut area, mut moment) = (0.0, 0.0);
+    let (mut area, mut moment, mut across) = (0.0, 0.0, 0.0);
     for p in wet.windows(2) {
         let (dx, [y0, y1]) = (p[0][0] - p[1][0], [p[0][1], p[1][1]]);
         area -= 0.5 * dx * (y0 + y1);
+        across -= dx * (p[0][0] * (2.0 * y0 + y1) + p[1][0] * (y0 + 2.0 * y1)) / 6.0;
         moment -= dx * (y0 * y0 + y0 * y1 + y1 * y1) / 6.0;
     }
     let righting = (right.powi(3) - left.powi(3)) / 3.0 + moment - area * centre[1];
     let first = 0.5 * (right * right - left * left);
     let of = [[0.0; 3], [0.0, weight * (right - left), weight * first], [0.0, weight * first, weight * righting]];
-    (area, of)
+    (area, across / area - centre[0], of)
 }
 
 /// The scattered potential of waves of amplitude 1 m and the potentials of unit velocities, on the panels [m²/s, m, m, m²].

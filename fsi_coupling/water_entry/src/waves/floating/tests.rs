@@ -65,6 +65,14 @@ fn a_box_rights_itself_as_archimedes_says() {
     let s = section(&BOX, 1.0, 1.0);
     let exact = 1000.0 * 9.81 * (0.4_f64.powi(3) / 12.0 + 0.08 * (-0.1 + 0.05));
     assert!((s.stiffness[2][2] / exact - 1.0).abs() < 1e-12 && (s.stiffness[1][1] - 3924.0).abs() < 1e-9);
+    assert!((s.area - 0.08).abs() < 1e-15 && s.lever.abs() < 1e-15);
+    let odd = section(&ODD, 1.0, 1.0);
+    let wet = [[-0.1, -0.25], [0.15, -0.2], [0.25, 0.0], [-0.2, 0.0], [-0.2, -0.1]];
+    let n = wet.len();
+    let sum = |f: &dyn Fn([f64; 2], [f64; 2]) -> f64| (0..n).map(|i| f(wet[i], wet[(i + 1) % n])).sum::<f64>();
+    let area = 0.5 * sum(&|a, b| a[0] * b[1] - b[0] * a[1]);
+    let x = sum(&|a, b| (a[0] + b[0]) * (a[0] * b[1] - b[0] * a[1])) / (6.0 * area);
+    assert!((odd.area - area).abs() < 1e-14 && (odd.lever - x).abs() < 1e-14, "{} {}", odd.area, odd.lever);
 }
 
 #[test]
