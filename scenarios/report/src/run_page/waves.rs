@@ -44,7 +44,7 @@ fn of_body(body: &BodyInWaves) -> Vec<Block> {
         "first over a",
         "second over a²",
     ];
-    vec![Block::Text(text), Block::Table(Table::new(&format!("{} in waves", body.body), &head, shown.collect()))]
+    vec![Block::Text(text), Block::Table(Table::new(format!("{} in waves", body.body), &head, shown.collect()))]
 }
 
 fn row_of(name: &str, h: &Harmonics) -> Vec<String> {

@@ -160,5 +160,5 @@ fn window(scene: &Scene, wave: &LinearWave, x: f64, reach: f64, end: f64) -> Opt
     let from = (way + reach) / speed + (maker.ramp + 1.0) * period;
     let periods = ((to - from) / period).floor();
     let first = way / (scene.gravity[1].abs() * wave.depth).sqrt();
-    (periods >= FEWEST as f64).then(|| Window { to, periods: periods as usize, rest: [0.5 * first, first] })
+    (periods >= FEWEST as f64).then_some(Window { to, periods: periods as usize, rest: [0.5 * first, first] })
 }
