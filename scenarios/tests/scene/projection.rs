@@ -51,8 +51,8 @@ fn a_resolved_incompressible_scene_loads_again_to_itself() {
         // only the first of them finds accelerations and pressures together, which some scenes ask for
         sets.extend((solver != SOLVERS[0]).then(|| "coupling.scheme=weak".to_string()));
         // the thesis's solver is refused with a wave maker
-        for (name, _) in builtin().iter().filter(|(name, _)| (solver, *name) != ("incompressible_thesis", "wave_maker"))
-        {
+        let refused = |text: &str| solver == "incompressible_thesis" && text.contains("[tank.wave_maker]");
+        for (name, _) in builtin().iter().filter(|(_, text)| !refused(text)) {
             let loaded = load(name, &sets).unwrap_or_else(|error| panic!("{name}, {solver}: {error}"));
             let scene = loaded.scene;
             let text = scene.to_toml();

@@ -59,16 +59,15 @@ impl Harmonics {
     }
 }
 
-/// 1/T ∫ f exp(−inωt) dt over a period T = 2π/ω from `from` of a curve (time, f) that is linear between its points, real and imaginary part, n = 0.
-/// 1, 2, for n = 1, 2 twice and of f less its mean and less the line between the ends of the period, which a drift is; `None` where the curve does not reach so far.
-pub fn over_a_period(curve: &[[f64; 2]], omega: f64, from: f64) -> Option<[[f64; 2]; 3]> {
+/// 1/T ∫ f exp(−inωt) dt over a period T = 2π/ω from `from` of a curve (time, f) that is linear between its points, real and imaginary part, n = 0,
+/// 1, 2, for n = 1, 2 twice and of f less its mean and a `drift` [per s]; `None` where the curve does not reach so far.
+pub fn over_a_period(curve: &[[f64; 2]], omega: f64, from: f64, drift: f64) -> Option<[[f64; 2]; 3]> {
     let (period, points) = (TAU / omega, clipped(curve, from, from + TAU / omega)?);
     let integral = |f: &dyn Fn([f64; 2]) -> f64| {
         points.windows(2).map(|p| 0.5 * (p[1][0] - p[0][0]) * (f(p[0]) + f(p[1]))).sum::<f64>() / period
     };
     let mean = integral(&|[_, f]| f);
-    let ([_, first], [_, last]) = (points[0], points[points.len() - 1]);
-    let line = |t: f64| mean + (last - first) * ((t - from) / period - 0.5);
+    let line = |t: f64| mean + drift * (t - from - 0.5 * period);
     let part = |n: f64| {
         let of = |wave: fn(f64) -> f64| 2.0 * integral(&|[t, f]| (f - line(t)) * wave(n * omega * t));
         [of(f64::cos), -of(f64::sin)]
@@ -91,11 +90,32 @@ fn clipped(curve: &[[f64; 2]], from: f64, to: f64) -> Option<Vec<[f64; 2]>> {
     Some(std::iter::once(at(from)).chain(inner).chain([at(to)]).collect())
 }
 
-/// GE29: over `periods` whole periods that end at `to` [s]; `rest`: the mean before the waves. `None` with fewer than two periods.
-pub fn harmonics(curve: &[[f64; 2]], omega: f64, to: f64, periods: usize, rest: f64) -> Option<Harmonics> {
+/// GE29: over `periods` whole periods that end at `to` [s]; `rest`: the mean before the waves; `drifts`: the curve is one of a displacement, which may
+/// drift at the rate by which the means of the periods differ. `None` with fewer than two periods.
+pub fn harmonics(
+    curve: &[[f64; 2]],
+    omega: f64,
+    to: f64,
+    periods: usize,
+    rest: f64,
+    drifts: bool,
+) -> Option<Harmonics> {
     let period = TAU / omega;
-    let each: Vec<[[f64; 2]; 3]> =
-        (0..periods).map(|k| over_a_period(curve, omega, to - (k + 1) as f64 * period)).collect::<Option<_>>()?;
+    let all = |drift: f64| -> Option<Vec<[[f64; 2]; 3]>> {
+        (0..periods).map(|k| over_a_period(curve, omega, to - (k + 1) as f64 * period, drift)).collect()
+    };
+    let still = all(0.0)?;
+    // the last period comes first
+    let rate = |k: usize| {
+        let (late, early) = (k.saturating_sub(1), (k + 1).min(periods - 1));
+        (still[late][0][0] - still[early][0][0]) / ((early - late) as f64 * period)
+    };
+    let each: Vec<[[f64; 2]; 3]> = if drifts && periods >= 2 {
+        let of = |k: usize| over_a_period(curve, omega, to - (k + 1) as f64 * period, rate(k));
+        (0..periods).map(of).collect::<Option<_>>()?
+    } else {
+        still
+    };
     (periods >= 2).then_some(())?;
     let [mean, first, second] = [0, 1, 2].map(|n| middle(&each, n));
     Some(Harmonics {
@@ -134,18 +154,18 @@ mod tests {
     fn mean_and_harmonics_are_found() {
         let omega = 3.0;
         let of = |t: f64| 0.3 + 0.02 * (omega * t - 1.0).cos() + 0.005 * (2.0 * omega * t + 0.2).sin();
-        let found = harmonics(&curve(of), omega, 20.0, 6, 0.1).expect("nine periods");
+        let found = harmonics(&curve(of), omega, 20.0, 6, 0.1, true).expect("nine periods");
         let near = |a: f64, b: f64| (a - b).abs() < 1e-5;
         assert!(near(found.mean, 0.2) && near(found.first, 0.02) && near(found.second, 0.005), "{found:?}");
         assert!(found.mean_plus_minus < 1e-6 && found.first_plus_minus < 1e-5, "{found:?}");
-        assert_eq!(harmonics(&curve(of), omega, 20.0, 10, 0.0), None);
-        assert_eq!(harmonics(&curve(of), omega, 20.0, 1, 0.0), None);
+        assert_eq!(harmonics(&curve(of), omega, 20.0, 10, 0.0, false), None);
+        assert_eq!(harmonics(&curve(of), omega, 20.0, 1, 0.0, true), None);
     }
 
     /// A drift is no harmonic.
     #[test]
     fn a_drift_is_no_harmonic() {
-        let found = harmonics(&curve(|t| 0.1 * t), 3.0, 20.0, 6, 0.0).expect("periods");
+        let found = harmonics(&curve(|t| 0.1 * t), 3.0, 20.0, 6, 0.0, true).expect("periods");
         assert!(found.first < 1e-12 && found.second < 1e-12, "{found:?}");
     }
 
@@ -153,8 +173,8 @@ mod tests {
     #[test]
     fn scatter_from_period_to_period_is_the_interval() {
         let omega = TAU;
-        let of = |t: f64| (1.0 + if (t.floor() as i64) % 2 == 0 { 0.1 } else { -0.1 }) * (omega * t).cos();
-        let found = harmonics(&curve(of), omega, 20.0, 4, 0.0).expect("periods");
+        let of = |t: f64| (1.0 + if (t.floor() as i64) % 2 == 0 { 0.1 } else { -0.1 }) * (omega * t).sin();
+        let found = harmonics(&curve(of), omega, 20.0, 4, 0.0, false).expect("periods");
         let exact = 3.182 * 0.1 * (4.0_f64 / 3.0).sqrt() / 2.0;
         assert!((found.first - 1.0).abs() < 2e-3 && (found.first_plus_minus / exact - 1.0).abs() < 0.02, "{found:?}");
     }

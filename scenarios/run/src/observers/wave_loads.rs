@@ -96,19 +96,19 @@ impl Series {
         let (arriving, leaving) = (amplitudes(&before), amplitudes(&behind));
         let incident = arriving.map(|[right, _]| right);
         let theory = wave_theory(scene).filter(|_| scene.bodies.is_empty()).unwrap_or_default();
-        let of = |value: &dyn Fn(&[f64]) -> f64, theory: [Option<f64>; 2]| {
+        let of = |value: &dyn Fn(&[f64]) -> f64, theory: [Option<f64>; 2], drifts: bool| {
             let curve: Vec<[f64; 2]> = self.rows().iter().map(|row| [row[0], value(row)]).collect();
             let still: Vec<f64> =
                 curve.iter().filter(|p| p[0] >= window.rest[0] && p[0] <= window.rest[1]).map(|p| p[1]).collect();
             let rest =
                 if still.is_empty() { curve.first()?[1] } else { still.iter().sum::<f64>() / still.len() as f64 };
-            harmonics(&curve, omega, window.to, window.periods, rest).map(|found| found.over(incident, theory))
+            harmonics(&curve, omega, window.to, window.periods, rest, drifts).map(|found| found.over(incident, theory))
         };
         let column = |name: &str| {
             let name = format!("{}.{name}", body.name);
             self.columns().iter().position(|column| *column == name)
         };
-        let plain = |name: &str, theory| column(name).and_then(|column| of(&|row| row[column], theory));
+        let plain = |name: &str, theory| column(name).and_then(|column| of(&|row| row[column], theory, false));
         let ([fx, fy, moment], [of_x, of_y, of_angle]) = (theory.loads, theory.motions);
         let (x, y, angle, [cx, cy]) = (column("x_m")?, column("y_m")?, column("angle_deg")?, body.center_of_mass);
         let arm = |row: &[f64]| {
@@ -126,10 +126,10 @@ impl Series {
             transmitted_m: leaving.map(|[right, _]| right),
             fx: plain("fx_N_per_m", [fx, theory.drift])?,
             fy: plain("fy_N_per_m", [fy, None])?,
-            moment: of(&|row| row[at_origin] - about(row), [moment, None])?,
-            x: of(&|row| row[x] + arm(row)[0], [of_x, None])?,
-            y: of(&|row| row[y] + arm(row)[1], [of_y, None])?,
-            angle: plain("angle_deg", [of_angle, None])?,
+            moment: of(&|row| row[at_origin] - about(row), [moment, None], false)?,
+            x: of(&|row| row[x] + arm(row)[0], [of_x, None], true)?,
+            y: of(&|row| row[y] + arm(row)[1], [of_y, None], true)?,
+            angle: of(&|row| row[angle], [of_angle, None], true)?,
         })
     }
 
@@ -139,7 +139,7 @@ impl Series {
         let column = self.columns().iter().position(|column| column == "level1_m")? + gauge;
         let curve: Vec<[f64; 2]> = self.rows().iter().map(|row| [row[0], row[column]]).collect();
         let (period, count) = (std::f64::consts::TAU / omega, window.periods);
-        let each = (0..count).map(|k| Some(over_a_period(&curve, omega, window.to - (k + 1) as f64 * period)?[1]));
+        let each = (0..count).map(|k| Some(over_a_period(&curve, omega, window.to - (k + 1) as f64 * period, 0.0)?[1]));
         let each: Vec<Amplitude> = each.collect::<Option<_>>()?;
         Some([0, 1].map(|part| each.iter().map(|a| a[part]).sum::<f64>() / count as f64))
     }

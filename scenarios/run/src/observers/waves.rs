@@ -148,7 +148,7 @@ fn slope(points: &[[f64; 2]]) -> Option<f64> {
 /// (2/nT) ∫ η exp(−iωt) dt over the last n periods T of a curve (time, η), by the trapezoidal rule, of η less its mean in each.
 fn first_harmonic(curve: &[[f64; 2]], omega: f64) -> Option<Amplitude> {
     let (end, period) = (curve.last()?[0], TAU / omega);
-    let each = (1..=PERIODS as usize).map(|k| Some(over_a_period(curve, omega, end - k as f64 * period)?[1]));
+    let each = (1..=PERIODS as usize).map(|k| Some(over_a_period(curve, omega, end - k as f64 * period, 0.0)?[1]));
     let each: Vec<Amplitude> = each.collect::<Option<_>>()?;
     Some([0, 1].map(|part| each.iter().map(|a| a[part]).sum::<f64>() / PERIODS))
 }

@@ -34,7 +34,7 @@ pub struct WaveMaker {
     /// Length from the piston in which the velocity is relaxed to that of the incident wave, once full waves fill it, so that waves that
     /// come back are absorbed (THEORY WA16) [m]. absent: none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schemars(extend("exclusiveMinimum" = 0, "x-default" = "none"))]
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub relaxation: Option<f64>,
 }
 
