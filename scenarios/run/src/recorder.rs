@@ -282,7 +282,8 @@ impl Recorder {
         if status == Status::Failed {
             doubts.extend(results.unresolve(0.0, "the run broke down"));
         }
-        let of_waves = unlikely_waves(scene, &self.series);
+        let waves = self.series.waves(scene);
+        let of_waves = unlikely_waves(scene, waves.as_ref());
         let others =
             super::panel::rupture_doubt(system, &results).into_iter().chain(self.host_doubt.clone().map(Doubt::of_run));
         doubts.extend(audit.doubts().into_iter().chain(of_waves).chain(others));
@@ -337,7 +338,7 @@ impl Recorder {
             rest: Some(self.history.rest(since)),
             order,
             water: self.series.water(since),
-            waves: self.series.waves(scene),
+            waves,
             coupling: Some(Coupling {
                 scheme: scene.coupling.scheme,
                 iterations_mean: agreement.iterations as f64 / agreement.steps.max(1) as f64,

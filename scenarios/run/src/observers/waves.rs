@@ -61,8 +61,8 @@ pub struct WaveGauge {
 const GROWS: f64 = 0.01;
 
 /// Why the waves of a run are unlikely: it ended early, or they grow on their way, which nothing makes them do.
-pub(crate) fn unlikely_waves(scene: &Scene, series: &Series) -> Vec<Doubt> {
-    let growing = series.waves(scene).and_then(|waves| waves.grow());
+pub(crate) fn unlikely_waves(scene: &Scene, waves: Option<&Waves>) -> Vec<Doubt> {
+    let growing = waves.and_then(Waves::grow);
     waves_end_early(scene).into_iter().chain(growing).map(|why| Doubt::about("waves", why)).collect()
 }
 
