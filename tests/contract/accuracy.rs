@@ -50,6 +50,9 @@ fn particles_are_refined_and_their_runs_are_kept() {
     assert_eq!(again.code, Some(0), "{}", again.message);
     let kept: Value = serde_json::from_str(&place.text(folder)).expect("JSON");
     assert_eq!(kept["wall_time_s"], summary["wall_time_s"], "it was run again");
+    let (done, nothing) = (outcome(&place, "b"), Some(0.0));
+    let costs = ["estimated_core_seconds", "core_seconds"].map(|key| done[key].as_f64());
+    assert_eq!(costs, [nothing; 2], "runs that were found cost nothing");
 }
 
 #[test]

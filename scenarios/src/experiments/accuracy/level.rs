@@ -7,7 +7,7 @@ use std::sync::atomic::AtomicBool;
 use run::error_bar::ErrorBars;
 use run::summary::Summary;
 use run::{Checkpoints, Resumable, RunOptions, run};
-use scene::Loaded;
+use scene::{Loaded, Scene};
 use scene::vocabulary::{Quantity, ResultId, ResultName, Results, Status};
 use serde::Deserialize;
 
@@ -23,7 +23,7 @@ pub(super) struct Level {
     pub spacing: f64,
     pub model: String,
     pub results: Results,
-    /// Wall-clock time × threads [s].
+    /// Wall-clock time × threads, 0 of a run that was found [s].
     pub core_seconds: f64,
 }
 
@@ -33,8 +33,6 @@ struct Stored {
     model: String,
     status: Status,
     results: Results,
-    wall_time_s: f64,
-    threads: usize,
 }
 
 impl Level {
@@ -79,12 +77,16 @@ impl Level {
         Level { spacing, model: summary.model.into(), results: summary.results.clone(), core_seconds }
     }
 
+    /// Is the run of a scene in its folder, complete?
+    pub fn is_done(scene: &Scene, folder: &Path) -> bool {
+        Level::found(folder, &scene.to_toml(), scene.resolution.spacing).is_some()
+    }
+
     fn found(folder: &Path, scene: &str, spacing: f64) -> Option<Level> {
         let text = |file: &str| fs::read_to_string(folder.join(file)).ok();
-        let Stored { model, status, results, wall_time_s, threads } =
-            serde_json::from_str(&text("summary.json")?).ok()?;
+        let Stored { model, status, results } = serde_json::from_str(&text("summary.json")?).ok()?;
         let is_own = text("scene.resolved.toml")? == scene && status.has_results();
-        is_own.then_some(Level { spacing, model, results, core_seconds: wall_time_s * threads as f64 })
+        is_own.then_some(Level { spacing, model, results, core_seconds: 0.0 })
     }
 
     pub fn is_at(&self, spacing: f64) -> bool {

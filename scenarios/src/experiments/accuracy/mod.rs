@@ -63,9 +63,9 @@ pub struct Done {
     pub results: Vec<Achieved>,
     /// Whether all are within the share asked for.
     pub within: bool,
-    /// Core-seconds that were stated before the runs.
+    /// Core-seconds that were stated before the runs, without those that their folders had.
     pub estimated_core_seconds: f64,
-    /// Core-seconds of all runs that were made.
+    /// Core-seconds of the runs that were made.
     pub core_seconds: f64,
 }
 
@@ -165,7 +165,7 @@ fn by_particles(request: &Request, instead: bool, tell: &impl Fn(String)) -> Res
     let mut further: Vec<String> = instead.then(|| "model=wcsph".to_string()).into_iter().collect();
     let pilot = request.scene(&further)?;
     let at_start = pilot.scene.resolution.spacing;
-    let mut estimated = cost(&pilot.scene);
+    let mut estimated = cost(request, &pilot.scene);
     tell(format!("the scene as it is, spacing {at_start:.6} m: about {estimated:.0} core-s"));
     let first = Level::run(&pilot, folder(request, at_start), None, request.interrupt)?;
     let chosen = request.chosen(&first.results);
@@ -181,7 +181,7 @@ fn by_particles(request: &Request, instead: bool, tell: &impl Fn(String)) -> Res
         let needed: Vec<f64> = COARSER.iter().map(|times| times * spacing).chain([spacing]).collect();
         let missing: Vec<f64> = needed.into_iter().filter(|dx| !levels.iter().any(|level| level.is_at(*dx))).collect();
         let scenes = missing.iter().map(|dx| at(*dx)).collect::<Result<Vec<_>, _>>()?; // all are read before the first run
-        let more: f64 = scenes.iter().map(|loaded| cost(&loaded.scene)).sum();
+        let more: f64 = scenes.iter().map(|loaded| cost(request, &loaded.scene)).sum();
         estimated += more;
         tell(format!("round {round}: spacing {spacing:.6} m, {} runs: about {more:.0} core-s", scenes.len()));
         for (loaded, dx) in scenes.iter().zip(&missing) {
@@ -221,8 +221,10 @@ fn finer(spacing: f64, results: &[Achieved], share: f64) -> f64 {
     }
 }
 
-fn cost(scene: &Scene) -> f64 {
-    preflight(scene, &[]).core_seconds
+/// What a run will cost [core-s]; nothing where its folder has it.
+fn cost(request: &Request, scene: &Scene) -> f64 {
+    let folder = folder(request, scene.resolution.spacing);
+    if Level::is_done(scene, &folder) { 0.0 } else { preflight(scene, &[]).core_seconds }
 }
 
 fn folder(request: &Request, spacing: f64) -> PathBuf {
