@@ -143,6 +143,7 @@ mod tests {
             fastest: 1.0,
             attached_speed: 1.0,
             peak_draught: 1.0,
+            unequal_faces: 0.0,
             cushion: None,
         }
     }

@@ -32,6 +32,8 @@ pub fn estimated_steps(scene: &Scene) -> f64 {
     (more * (scene.time.end - scene.time.start) / step_at_start(scene)).ceil()
 }
 
+/// Cost of a projection step without an impact over that with one: its pressure is near that of the step before [-].
+const CALM: f64 = 0.3;
 /// Share of a step's cost that held geometry does not save [-].
 const NOT_HELD: f64 = 0.4;
 
@@ -40,6 +42,7 @@ pub fn cost_of_step(scene: &Scene) -> f64 {
     let steps = scene.solver.weakly_compressible().map_or(1, |fluid| fluid.scheme.acoustic_steps());
     match scene.solver.kind() {
         Solver::WeaklyCompressible => COST * (NOT_HELD + (1.0 - NOT_HELD) / f64::from(steps).sqrt()),
+        Solver::Incompressible | Solver::IncompressibleExplicit if scene.entries().is_empty() => CALM * PROJECTION_COST,
         Solver::Incompressible | Solver::IncompressibleExplicit => PROJECTION_COST,
         Solver::IncompressibleThesis => THESIS_COST,
     }

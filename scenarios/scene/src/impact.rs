@@ -29,6 +29,8 @@ const PENETRATION_STEPS: u32 = 1000;
 const NOTABLE_GAIN: f64 = 1.05;
 /// Share of a body's breadth that its flat bottom has where air is trapped, at least, and largest draught at t = 0 over the breadth [-].
 const TRAPPING: [f64; 2] = [0.5, 0.01];
+/// Steepest slope of a face that counts beside another [-].
+const STEEPEST: f64 = 2.0;
 /// Wetted width over the breadth from which chines count as wet: the sides of a rolled wedge have less than that of its flat face [-].
 const PAST_CHINES: f64 = 1.1;
 /// Draught over the radius from which water leaves a round bottom [-].
@@ -51,6 +53,8 @@ pub struct Entry {
     pub attached_speed: f64,
     /// Draught at the peak of the force [m] (THEORY GE22): where the water's mass is a fifth of the body's, or at the chines.
     pub peak_draught: f64,
+    /// Difference of the slopes of the two faces beside the keel of straight faces [-]: 0 upright, more for a body that is rolled.
+    pub unequal_faces: f64,
     /// Air that a flat bottom traps (THEORY WC27).
     pub cushion: Option<AirCushion>,
 }
@@ -91,6 +95,7 @@ impl Entry {
             fastest: speed,
             attached_speed: speed,
             peak_draught: chines,
+            unequal_faces: if matches!(bottom, Bottom::Wedge { .. }) { unequal_faces(&body.placed_outline()) } else { 0.0 },
             cushion: cushion(body, draught, speed),
         };
         let Motion::Free(freedom) = &body.motion else { return Some(steady) };
@@ -152,6 +157,17 @@ impl Entry {
         let wedge_draught = self.bottom.wetted_half_width(draught) * slope / FRAC_PI_2;
         0.76 * wedge_draught * slope
     }
+}
+
+/// Difference of the slopes of the faces beside the lowest corner of an outline, each up to [`STEEPEST`] [-].
+fn unequal_faces(outline: &[[f64; 2]]) -> f64 {
+    let n = outline.len();
+    let lowest = (0..n).min_by(|&a, &b| outline[a][1].total_cmp(&outline[b][1])).unwrap_or(0);
+    let slope = |other: usize| {
+        let [dx, dy] = [0, 1].map(|k| (outline[other % n][k] - outline[lowest][k]).abs());
+        if dy < STEEPEST * dx { dy / dx } else { STEEPEST }
+    };
+    (slope(lowest + 1) - slope(lowest + n - 1)).abs()
 }
 
 /// Draught [m] of a free body after `end` [s] by the momentum of von Karman (1929), without pile-up and buoyancy,

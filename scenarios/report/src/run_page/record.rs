@@ -236,6 +236,9 @@ pub(crate) struct Harmonics {
     pub first_plus_minus: f64,
     pub second: f64,
     pub second_plus_minus: f64,
+    pub mean_band: Option<f64>,
+    pub first_band: Option<f64>,
+    pub second_band: Option<f64>,
     pub per_amplitude: Option<PerAmplitude>,
 }
 

@@ -20,9 +20,12 @@ fn of_body(body: &BodyInWaves) -> Vec<Block> {
     .flatten()
     .collect();
     let [from, to] = body.window_s;
+    let bars = match body.fx.first_band {
+        Some(_) => "the band (GE29), of the means of moment and motions the 95 % interval by the scatter from period to period",
+        None => "the 95 % interval of their mean by the scatter from period to period; it does not include the error of the spacing",
+    };
     let text = format!(
-        "{}: mean and harmonics over {} periods, {from:.2} to {to:.2} s. ± is the 95 % interval of their mean by the scatter from period to \
-         period; it does not include the error of the spacing. The mean is less that before the waves.{amplitudes} Over a: per metre of incident \
+        "{}: mean and harmonics over {} periods, {from:.2} to {to:.2} s. ± is {bars}. The mean is less that before the waves.{amplitudes} Over a: per metre of incident \
          amplitude, mean and second harmonic per square metre. By theory: linear potential theory.",
         body.body, body.periods
     );
@@ -48,14 +51,16 @@ fn of_body(body: &BodyInWaves) -> Vec<Block> {
 }
 
 fn row_of(name: &str, h: &Harmonics) -> Vec<String> {
-    let with = |value: f64, interval: f64| format!("{} ± {}", digits(value), digits(interval));
+    let with = |value: f64, band: Option<f64>, interval: f64| {
+        format!("{} ± {}", digits(value), digits(band.unwrap_or(interval)))
+    };
     let over = |value: Option<f64>| value.map_or("–".into(), digits);
     let per = h.per_amplitude;
     vec![
         name.into(),
-        with(h.mean, h.mean_plus_minus),
-        with(h.first, h.first_plus_minus),
-        with(h.second, h.second_plus_minus),
+        with(h.mean, h.mean_band, h.mean_plus_minus),
+        with(h.first, h.first_band, h.first_plus_minus),
+        with(h.second, h.second_band, h.second_plus_minus),
         over(per.map(|p| p.mean)),
         over(per.and_then(|p| p.mean_by_theory)),
         over(per.map(|p| p.first)),

@@ -15,10 +15,11 @@ use super::STANDARD_GRAVITY;
 use super::averaging::{Averaging, CUTOFF};
 use super::running_integral::{Extreme, RunningIntegral};
 
-/// Band of the acceleration of a body that still falls, a share of gravity [-].
-const FALL_BAND: f64 = 0.03;
-/// Factor in a round bottom's band on the drop of its peak when the averaging time is doubled (GE20) [-].
-const ROUND_SMOOTHING: f64 = 1.5;
+/// Largest acceleration of a body that still falls over gravity [-].
+const FALLING: f64 = 1.03;
+/// Factors in the band of a peak on its drop when the averaging time is doubled, of wedges and of round bottoms (GE19, GE20), each weakly
+/// compressible and incompressible [-]: a third of the drop is what the time of averaging takes off a parabola.
+const SMOOTHING: [[f64; 2]; 2] = [[0.65, 1.0], [1.0, 1.5]];
 /// Largest ratio of a single step's value to the mean [-].
 const LARGEST_RAW: f64 = 2.0;
 
@@ -112,18 +113,15 @@ impl Judge {
         let known = force.as_ref().is_some_and(|(quantity, _)| quantity.verdict == Verdict::Resolved);
         let by_acceleration = |peak: Extreme, raw: Extreme| {
             let dry = curves.draught_at(peak.time) <= self.spacing;
-            let falls = dry && self.gravity > 0.0 && peak.value <= (1.0 + FALL_BAND) * self.gravity; // before the water carries it
-            match (falls, known) {
-                (true, true) => {
-                    let why = "the largest acceleration is that of free fall before contact; the water decelerates the body by less than that";
-                    (Verdict::Resolved, Some(FALL_BAND), Some(why.into()))
-                }
-                (true, false) => {
-                    let why = "the largest acceleration is that of free fall before contact, and the force of the water is not resolved";
-                    (Verdict::NotResolved, None, Some(why.into()))
-                }
-                (false, _) => by_force(peak, raw),
+            let falls = dry && self.gravity > 0.0 && peak.value <= FALLING * self.gravity; // before the water carries it
+            if !falls {
+                return by_force(peak, raw);
             }
+            let why = match known {
+                true => "the largest acceleration is that of free fall before contact, and no result; the water decelerates the body by less than that",
+                false => "the largest acceleration is that of free fall before contact, and the force of the water is not resolved",
+            };
+            (Verdict::NotResolved, None, Some(why.into()))
         };
         let unit = [1.0 / STANDARD_GRAVITY, self.gravity];
         let acceleration = self.peak(&curves.acceleration, (self.of_force, "bandwidth"), unit, &by_acceleration);
@@ -178,13 +176,8 @@ impl Judge {
         // GE19: what twice the time takes off the peak, where the time follows the spacing
         let twice = curve.largest_mean(2.0 * window).map_or(0.0, |longer| longer.value);
         let round = matches!(self.entry, Some(Entry { bottom: Bottom::Arc { .. }, .. }));
-        let times = if averaging.is_fixed() {
-            0.0
-        } else if round {
-            ROUND_SMOOTHING
-        } else {
-            1.0
-        };
+        let solver = usize::from(self.sound_speed.is_none());
+        let times = if averaging.is_fixed() { 0.0 } else { SMOOTHING[usize::from(round)][solver] };
         let smoothed = times * (mean.value - twice).max(0.0);
         let (verdict, band, why) = match averaging.too_short(key, self.spacing) {
             Some(why) => (Verdict::NotResolved, None, Some(why.into())),

@@ -68,7 +68,7 @@ fn of_entry(scene: &Scene, body: &Body, entry: &Entry) -> Vec<String> {
     let draught = entry.final_draught;
     if draught < STARTING_DRAUGHT * spacing && !scene.is_cushioned_by(body, entry) {
         warnings.push(format!(
-            "the draught at the end is {} spacings; below {STARTING_DRAUGHT} the force is off by over 1 %: {} m would do",
+            "the draught at the end is {} spacings; below {STARTING_DRAUGHT} bands are wide: {} m would do",
             significant(draught / spacing),
             significant(0.99 * draught / STARTING_DRAUGHT)
         ));

@@ -137,7 +137,7 @@ const LEAST_ROUND: f64 = 1.25;
 /// gives 7 to 10 % less than boundary elements at every spacing [-].
 const LEAST_ROUND_BAND: [f64; 2] = [0.05, 0.12];
 /// The band that a radius of one spacing would have, a share of the force [-].
-const ROUND_BAND: f64 = 5.0;
+const ROUND_BAND: f64 = 3.0;
 
 /// A force on a round bottom.
 pub struct RoundContact {

@@ -149,9 +149,11 @@ pub fn panel_results(
     };
     // beyond yield the strain grows faster than the load: no band is known
     let stress = quantity(value, time, share, verdict);
+    // a limit over a stress that is a share less is more than that share larger
+    let of_factor = share.map(|share| if share < 1.0 { share / (1.0 - share) } else { f64::INFINITY });
     let factor = reserve.map(|factor| match strain {
         Some([_, time]) => quantity(factor, time, None, of_strain),
-        None => quantity(factor, time, share, verdict),
+        None => quantity(factor, time, of_factor, verdict),
     });
     let strain = strain.map(|[strain, time]| quantity(strain, time, None, of_strain));
     let withheld = (verdict == Verdict::Resolved && stress.is_withheld()).then(|| WIDE.to_string());
