@@ -34,6 +34,7 @@ mod links;
 mod modal;
 mod potential_flow;
 mod potential_flow_bent;
+mod potential_flow_curved;
 mod projection_bodies;
 mod quoted_peaks;
 mod relaxation_zone;

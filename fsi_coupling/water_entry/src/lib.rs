@@ -25,6 +25,7 @@
 pub mod air_cushion;
 mod asymmetric_similarity;
 mod boundary_element;
+pub mod curve;
 pub mod ditching;
 mod dobrovolskaya;
 mod entry;

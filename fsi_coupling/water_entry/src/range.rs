@@ -1,7 +1,8 @@
 //! Which bottoms each model holds for; the deadrises of boundary elements stand in `model`.
 
+use super::curve::Piece;
 use super::model::{EntryModel, OutOfRange};
-use super::section::Section;
+use super::section::{KNUCKLE, Section};
 
 /// Least angle at the ends of an arc for boundary elements [deg].
 const LEAST_ARC_DEG: f64 = 20.0;
@@ -32,15 +33,18 @@ impl EntryModel {
         let is_wedge = section.deadrise_deg().is_some();
         match self {
             _ if !self.is_theory() => None,
-            EntryModel::BoundaryElement if section.radius().is_some() => {
+            EntryModel::BoundaryElement if section.is_round() => {
                 let end = section.last_angle_deg();
                 let short = end < LEAST_ARC_DEG;
                 short.then(|| {
                     (
-                        format!("an arc that ends at {end:.1} degrees"),
-                        format!("arcs of {LEAST_ARC_DEG} degrees and more"),
+                        format!("a round bottom that ends at {end:.1} degrees"),
+                        format!("round bottoms that end at {LEAST_ARC_DEG} degrees and more"),
                     )
                 })
+            }
+            EntryModel::BoundaryElement if section.flat_keel().is_some() => {
+                Some(("a flat keel".into(), "bottoms with a keel, or round ones".into()))
             }
             EntryModel::BoundaryElement if !is_wedge => section.not_followed(reach).map(|what| {
                 let range = format!(
@@ -48,6 +52,7 @@ impl EntryModel {
                 );
                 (what, range)
             }),
+            _ if section.flat_keel().is_some() => Some(("a flat keel".into(), "bottoms with a keel, or round ones".into())),
             _ if section.hollow().is_some() => {
                 let [x, depth] = section.hollow().unwrap_or_default().map(in_tenths_of_millimetres);
                 Some((format!("one with a hollow {depth} m deep at {x} m from the keel"), "convex bottoms".into()))
@@ -78,8 +83,19 @@ impl Section {
         if self.radius().is_some() {
             return self.corners();
         }
+        if self.curve().is_some() {
+            let leaves = |k: &usize| self.turn(*k) > KNUCKLE && self.slopes()[*k].atan().to_degrees() > most;
+            let last = (1..self.slopes().len()).find(leaves).unwrap_or(self.slopes().len());
+            return &self.corners()[..=last];
+        }
         let faces = self.slopes().iter().take_while(|slope| slope.atan().to_degrees() <= most + 1e-6).count();
         &self.corners()[..=faces]
+    }
+
+    /// The pieces of a bottom with curves up to there.
+    pub(super) fn followed_curve(&self) -> Vec<Piece> {
+        let end = self.followed_half_breadth() * (1.0 - 1e-9);
+        self.curve().unwrap_or_default().iter().take_while(|piece| piece.from.re < end).copied().collect()
     }
 
     /// Is the bottom straight from the keel to where the flow leaves it?

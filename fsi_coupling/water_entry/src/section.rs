@@ -1,5 +1,6 @@
 //! The bottom of a symmetric body for entry theories, and the bottoms that each model holds for.
 
+use super::curve::{self, Piece};
 use super::model::{EntryModel, OutOfRange};
 
 /// Least slope that a bottom may have, of a deadrise of 4°: below it trapped air, absent here, takes over.
@@ -16,6 +17,11 @@ const LEAST_ON_CIRCLE: usize = 6;
 const OFF_CIRCLE: f64 = 0.005;
 /// Corners of half an arc.
 const ARC_CORNERS: usize = 96;
+/// Largest turn between two corners of a curve [rad]; a larger one is a knuckle.
+const CURVE_TURN: f64 = 1.0 * std::f64::consts::PI / 180.0;
+/// Slope of a face that is level [-].
+const LEVEL: f64 = 1e-6;
+pub(super) const KNUCKLE: f64 = 3.0 * std::f64::consts::PI / 180.0;
 
 /// Half of a symmetric bottom: height f(x) over the keel, rising from the keel at x = 0 to the chine, and past it the plates by
 /// which theories let it go on where the flow has left it (THEORY EN2).
@@ -27,6 +33,8 @@ pub struct Section {
     areas: Vec<f64>,
     /// Radius of the circle for which the corners stand [m].
     radius: Option<f64>,
+    /// The curve for which corners stand, with its straight faces and knuckles.
+    curve: Option<Vec<Piece>>,
     /// The deepest place below the convex hull, [distance from the keel's plane, depth] [m].
     hollow: Option<[f64; 2]>,
 }
@@ -40,11 +48,13 @@ impl Section {
             return Err(OutOfRange::not_a_section("a bottom whose half breadth does not grow from keel to chine"));
         }
         let (corners, hollow) = without_dents(straightened(corners));
+        let curve = curve::through(&corners);
+        let corners = curve.as_ref().map_or(corners, |curve| corners_of(curve));
         let slopes = slopes_of(&corners);
         if slopes[0] < 0.0 {
             return Err(OutOfRange::not_a_section("a bottom that falls next to its keel"));
         }
-        Ok(Section { areas: areas_of(&corners), corners, slopes, radius: None, hollow })
+        Ok(Section { areas: areas_of(&corners), corners, slopes, radius: None, curve, hollow })
     }
 
     /// A wedge of the given deadrise [deg] and breadth [m].
@@ -59,7 +69,7 @@ impl Section {
         let at = |k: usize| end * (k as f64 / ARC_CORNERS as f64).powf(1.5);
         let corner = |k: usize| [radius * at(k).sin(), 2.0 * radius * (0.5 * at(k)).sin().powi(2)];
         let corners: Vec<[f64; 2]> = (0..=ARC_CORNERS).map(corner).collect();
-        Ok(Section { radius: Some(radius), ..Section::new(&corners)? })
+        Ok(Section { radius: Some(radius), curve: None, ..Section::new(&corners)? })
     }
 
     /// The bottom of an upright body whose outline has these corners [m], in order around it.
@@ -67,25 +77,31 @@ impl Section {
     /// # Errors
     /// A flat bottom, one that is lopsided about its keel, one that is less steep than 4 degrees.
     pub fn of_polygon(points: &[[f64; 2]]) -> Result<Section, OutOfRange> {
-        let keel = (0..points.len()).min_by(|&a, &b| points[a][1].total_cmp(&points[b][1])).unwrap_or(0);
         let n = points.len();
-        let level = |k: usize| (points[k][1] - points[keel][1]).abs() < 1e-9;
-        if level((keel + 1) % n) || level((keel + n - 1) % n) {
+        let lowest = points.iter().map(|p| p[1]).fold(f64::INFINITY, f64::min);
+        let is_low = |k: usize| (points[k % n][1] - lowest).abs() < 1e-9;
+        // the last of a level bottom's points to the right, and to the left
+        let Some(right_end) = (0..n).find(|k| is_low(*k) && !is_low(k + 1)) else {
             return Err(OutOfRange::not_a_section("a flat bottom"));
-        }
-        let half = |step: usize| {
-            let mut corners = vec![points[keel]];
-            for k in 1..n {
-                let (next, last) = (points[(keel + k * step) % n], corners[corners.len() - 1]);
-                if (next[0] - last[0]).abs() <= 1e-9 || (next[0] - last[0]) * if step == 1 { 1.0 } else { -1.0 } < 0.0 {
+        };
+        let left_end = (0..n).map(|k| (right_end + n - k) % n).find(|k| !is_low(k + n - 1)).unwrap_or(right_end);
+        let x0 = 0.5 * (points[right_end][0] + points[left_end][0]);
+        let half = |from: usize, step: usize| {
+            let mut corners = vec![[x0, lowest]];
+            for k in 0..n {
+                let (next, last) = (points[(from + k * step) % n], corners[corners.len() - 1]);
+                let outwards = (next[0] - last[0]) * if step == 1 { 1.0 } else { -1.0 };
+                if k == 0 && outwards.abs() <= 1e-9 {
+                    continue;
+                }
+                if outwards <= 1e-9 {
                     break;
                 }
                 corners.push(next);
             }
             straightened(corners)
         };
-        let (right, left) = (half(1), half(n - 1));
-        let [x0, _] = points[keel];
+        let (right, left) = (half(right_end, 1), half(left_end, n - 1));
         let alike = |a: &[f64; 2], b: &[f64; 2]| (a[0] + b[0] - 2.0 * x0).abs() < 1e-6 && (a[1] - b[1]).abs() < 1e-6;
         if right.len() != left.len() || !right.iter().zip(&left).all(|(a, b)| alike(a, b)) {
             return Err(OutOfRange::not_a_section("a section that is lopsided about its keel"));
@@ -93,6 +109,9 @@ impl Section {
         let section = Section::new(&right)?;
         match section.circle() {
             Some(radius) => Section::arc(radius, 2.0 * section.half_breadth()),
+            None if section.flat_keel().is_some() && section.slopes.len() == 1 => {
+                Err(OutOfRange::not_a_section("a flat bottom"))
+            }
             None => section.steep_enough(),
         }
     }
@@ -112,7 +131,8 @@ impl Section {
     /// The section of its convex hull.
     pub fn convex(&self) -> Section {
         let corners = hull_of(&self.corners);
-        Section { slopes: slopes_of(&corners), areas: areas_of(&corners), corners, radius: self.radius, hollow: None }
+        let (slopes, areas) = (slopes_of(&corners), areas_of(&corners));
+        Section { slopes, areas, corners, radius: self.radius, curve: None, hollow: None }
     }
 
     /// Corners from the keel to the chine [m], shape (n, 2).
@@ -127,6 +147,10 @@ impl Section {
 
     /// Angle at the end of a round bottom [deg].
     pub(super) fn last_angle_deg(&self) -> f64 {
+        if self.curve.is_some() {
+            let faces = self.followed().len() - 1;
+            return self.slopes[faces - 1].atan().to_degrees();
+        }
         (self.half_breadth() / self.radius.unwrap_or(f64::INFINITY)).min(1.0).asin().to_degrees()
     }
 
@@ -135,8 +159,36 @@ impl Section {
         self.radius
     }
 
+    /// Is the bottom round at its keel?
+    pub fn is_round(&self) -> bool {
+        let is_level = |curve: &Vec<Piece>| curve[0].round && curve[0].angle.abs() < LEVEL;
+        self.radius.is_some() || self.curve.as_ref().is_some_and(is_level)
+    }
+
+    /// Half width of a flat keel [m]; `None` of a keeled or a round bottom.
+    pub fn flat_keel(&self) -> Option<f64> {
+        (!self.is_round() && self.slopes[0] < LEVEL).then(|| self.corners[1][0])
+    }
+
+    /// The same bottom whose part up to a half width [m] is replaced by a face of a slope.
+    pub(super) fn with_keel(&self, half_width: f64, slope: f64) -> Section {
+        let beyond = self.corners.iter().filter(|c| c[0] > half_width * (1.0 + 1e-9));
+        let touched = [half_width, self.height(half_width)];
+        let lowest = touched[1] - half_width * slope;
+        let corners = std::iter::once(touched).chain(beyond.copied()).map(|[x, y]| [x, y - lowest]);
+        let corners: Vec<[f64; 2]> = std::iter::once([0.0, 0.0]).chain(corners).collect();
+        let (slopes, areas) = (slopes_of(&corners), areas_of(&corners));
+        Section { corners, slopes, areas, radius: None, curve: None, hollow: None }
+    }
+
+    /// The curve for which corners stand, with its straight faces and knuckles; `None` of a bottom of straight faces, and of an arc.
+    pub(super) fn curve(&self) -> Option<&[Piece]> {
+        self.curve.as_deref()
+    }
+
     fn steep_enough(self) -> Result<Section, OutOfRange> {
-        match self.slopes[0] < 0.999 * LEAST_DEADRISE_DEG.to_radians().tan() {
+        let has_keel = !self.is_round() && self.flat_keel().is_none();
+        match has_keel && self.slopes[0] < 0.999 * LEAST_DEADRISE_DEG.to_radians().tan() {
             true => Err(OutOfRange::not_a_section("a deadrise below 4 degrees")),
             false => Ok(self),
         }
@@ -183,17 +235,27 @@ impl Section {
         if k > last {
             return self.pieces().last().map_or(f64::INFINITY, |[.., slope]| slope);
         }
-        if self.radius.is_none() {
+        if self.radius.is_none() && self.curve.is_none() {
             return self.slopes[k];
         }
         // at a corner the curve has the mean slope of the chords next to it, at its ends that of the parabola
-        let at = |k: usize| match k {
-            0 => 0.0,
-            k if k > last => 2.0 * self.slopes[last] - 0.5 * (self.slopes[last - 1] + self.slopes[last]),
-            k => 0.5 * (self.slopes[k - 1] + self.slopes[k]),
+        let at = |corner: usize| match corner {
+            0 if self.is_round() => 0.0,
+            0 => self.slopes[0],
+            corner if corner > last => match self.turn(last) {
+                turn if turn > KNUCKLE => self.slopes[last],
+                _ => 2.0 * self.slopes[last] - 0.5 * (self.slopes[last - 1] + self.slopes[last]),
+            },
+            corner if self.turn(corner) > KNUCKLE => self.slopes[k],
+            corner => 0.5 * (self.slopes[corner - 1] + self.slopes[corner]),
         };
         let ([x0, _], [x1, _]) = (self.corners[k], self.corners[k + 1]);
         at(k) + (at(k + 1) - at(k)) * (x - x0) / (x1 - x0)
+    }
+
+    /// Turn at a corner between two faces [rad].
+    pub(super) fn turn(&self, corner: usize) -> f64 {
+        (self.slopes[corner].atan() - self.slopes[corner - 1].atan()).abs()
     }
 
     /// Half width of the body's cut with the still water at draught h [m].
@@ -235,6 +297,17 @@ impl Section {
         let bends = self.pieces().map(move |[from, _, _, slope]| (from, slope - std::mem::replace(&mut before, slope)));
         bends.take_while(move |(x, _)| *x < c)
     }
+}
+
+/// Corners along a curve, with few degrees between them.
+fn corners_of(curve: &[Piece]) -> Vec<[f64; 2]> {
+    let mut corners = vec![[0.0, 0.0]];
+    for piece in curve {
+        let count = ((piece.curvature * piece.length).abs() / CURVE_TURN).ceil().max(1.0);
+        let at = (1..=count as usize).map(|k| piece.at(piece.length * k as f64 / count)[0]);
+        corners.extend(at.map(|z| [z.re, z.im]));
+    }
+    corners
 }
 
 /// Area between the heights of two corners [m²], both halves, up to a draught.

@@ -3,6 +3,7 @@
 use fsi_coupling::geometry::polygon;
 use fsi_coupling::{PanelEnd, Plane, Shape};
 use settings::{Problem, require, significant};
+use water_entry::curve::refined;
 
 use super::draft::Draft;
 use super::keys::{Axis, Body, Motion, Panel, SprungMass, Symmetry, TheoryName, line, placed};
@@ -24,6 +25,7 @@ pub(super) fn resolve_body(draft: &mut Draft, symmetry: Symmetry) -> Result<Opti
         return Ok(None);
     }
     let shape = resolve_shape(draft)?;
+    let shape = smoothed(draft, shape)?;
     draft.fill("body.center_of_mass", shape.centroid());
     resolve_motion(draft, symmetry)?;
     let angle = draft.get("body.angle_deg").unwrap_or(0.0);
@@ -60,6 +62,26 @@ fn check_sprung_masses(body: &Body) -> Result<(), Problem> {
         require(first, &key(i, "name"), format_args!("{:?}", mass.name), "a name of its own")?;
     }
     Ok(())
+}
+
+/// The shape with arcs through those of its points that stand for a curve.
+fn smoothed(draft: &mut Draft, shape: Shape) -> Result<Shape, Problem> {
+    let wanted = draft.get::<bool>("body.smooth");
+    let bends = draft.count("body.panels") > 0 || draft.is_given("body.modal");
+    let expected = "false with body.panels or body.modal, whose places are sides of the polygon";
+    require(!(bends && wanted == Some(true)), "body.smooth", true, expected)?;
+    let Shape::Polygon { points } = &shape else {
+        require(wanted.is_none(), "body.smooth", wanted.unwrap_or_default(), "none but with shape = \"polygon\"")?;
+        return Ok(shape);
+    };
+    match refined(points).filter(|_| wanted.unwrap_or(!bends)) {
+        None => Ok(shape),
+        Some(points) => {
+            draft.set("body.points", &points);
+            draft.set("body.smooth", false);
+            Ok(Shape::Polygon { points })
+        }
+    }
 }
 
 pub(super) fn resolve_shape(draft: &mut Draft) -> Result<Shape, Problem> {

@@ -8,31 +8,38 @@ use super::state::EntryFlow;
 
 /// Places of the pressure under a round bottom.
 const PLACES: usize = 200;
-/// Draughts over the radius between which the load of a round bottom goes over to that of its flow [-].
+/// Draughts between which the load of a round bottom goes over to that of its flow: of an arc over its radius, of another over that at which its
+/// added keel is wet [-].
 const ROUND: [f64; 2] = [0.02, 0.04];
+const CURVED: [f64; 2] = [1.2, 2.4];
 
 /// The load at small draughts.
 pub(super) enum Before {
     /// Of a wedge: that of the similar flow at a draught [m] and a downward speed [m/s].
     Similar(FlowLoad, [f64; 2]),
-    /// Of a round bottom: the modified Logvinovich model (Korobkin 2004) and the buoyancy of still water, under a gravity [m/s²].
-    Round(Box<Loads>, f64),
+    /// Of a round bottom: the modified Logvinovich model (Korobkin 2004) and the buoyancy of still water, under a gravity [m/s²], and the draughts
+    /// between which the flow takes over [m].
+    Round(Box<Loads>, f64, [f64; 2]),
 }
 
 impl Before {
     /// Before a flow that has just begun, under a gravity [m/s²].
     pub fn new(section: &Section, flow: &EntryFlow, gravity: f64) -> Result<Before, OutOfRange> {
-        match section.radius() {
-            Some(_) => Ok(Before::Round(Box::new(Loads::new(EntryModel::Mlm, section)?), gravity)),
-            None => Ok(Before::Similar(flow.load(), [flow.draught(), flow.speed()])),
-        }
+        let between = match section.radius() {
+            Some(radius) => ROUND.map(|share| share * radius),
+            None if section.is_round() => {
+                CURVED.map(|share| share * section.wagner_draught(flow.face.keel_half_width()))
+            }
+            None => return Ok(Before::Similar(flow.load(), [flow.draught(), flow.speed()])),
+        };
+        Ok(Before::Round(Box::new(Loads::new(EntryModel::Mlm, &section.convex())?), gravity, between))
     }
 
     /// At a draught h [m] and a downward speed V [m/s].
     pub fn load(&self, h: f64, v: f64) -> FlowLoad {
         match self {
             Before::Similar(load, [draught, speed]) => load.scaled(h / draught, v / speed),
-            Before::Round(loads, gravity) => {
+            Before::Round(loads, gravity, _) => {
                 let Load { wetted: c, slam, added_mass, .. } = loads.at(h);
                 let pressure = |x: f64, v: f64, rate: f64| loads.pressure(x, h, v, rate, 1.0).unwrap_or(0.0);
                 let place = |k: usize| c * (0.5 * std::f64::consts::PI * k as f64 / PLACES as f64).cos();
@@ -50,8 +57,7 @@ impl Before {
     pub fn share_of_flow(&self, draught: f64) -> f64 {
         match self {
             Before::Similar(..) => 1.0,
-            Before::Round(loads, _) => {
-                let [from, to] = ROUND.map(|share| share * loads.section().radius().unwrap_or(0.0));
+            Before::Round(_, _, [from, to]) => {
                 ((draught - from) / (to - from)).clamp(0.0, 1.0)
             }
         }

@@ -2,6 +2,8 @@
 
 use faer::c64;
 
+use super::super::curve::{Piece, arcs, placed};
+use super::super::section::Section;
 use super::elements::GROWTH;
 
 /// Places at which the angle of the bottom is read for the thickness of the jet.
@@ -10,46 +12,10 @@ const PLACES: usize = 16;
 const ROUNDED: f64 = 0.05;
 /// Elements on a rounded knuckle.
 const ON_KNUCKLE: f64 = 6.0;
+/// A turn that is none [rad].
+const SMOOTH: f64 = 1e-6;
 /// Turn of a rounded knuckle from which elements on it are smaller [rad].
 const SHARP: f64 = 3.0 * std::f64::consts::PI / 180.0;
-/// A line of constant curvature.
-#[derive(Clone, Copy, Debug)]
-struct Piece {
-    /// Distance of its first point from the keel, along the bottom [m].
-    at: f64,
-    /// Its first point, from the keel [m].
-    from: c64,
-    /// Unit vector outwards at its first point.
-    direction: c64,
-    /// Its angle [rad].
-    angle: f64,
-    /// Curvature, positive where the bottom gets steeper [1/m].
-    curvature: f64,
-    length: f64,
-}
-
-impl Piece {
-    /// The point at a distance `s` [m] from its first, and the unit vector outwards there.
-    fn at(&self, s: f64) -> [c64; 2] {
-        if self.curvature == 0.0 {
-            return [self.from + self.direction * s, self.direction];
-        }
-        let (half, turn) = (0.5 * self.curvature * s, |angle: f64| c64::new(angle.cos(), angle.sin()));
-        let chord = if half.abs() < 1e-9 { s } else { s * half.sin() / half };
-        [self.from + self.direction * turn(half) * chord, self.direction * turn(2.0 * half)]
-    }
-
-    /// Distance from its first point to the place nearest to `z`, which is given from the keel [m].
-    fn nearest(&self, z: c64) -> f64 {
-        let along = (z - self.from) * self.direction.conj();
-        let s = match self.curvature {
-            0.0 => along.re,
-            k => (k * along.re).atan2(1.0 - k * along.im) / k,
-        };
-        s.clamp(0.0, self.length)
-    }
-}
-
 /// A bottom at rest in its own axes, whose keel is at −i draught.
 #[derive(Clone, Debug)]
 pub(super) struct Face {
@@ -63,14 +29,20 @@ pub(super) struct Face {
 }
 
 /// A keel that was added to a round bottom.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 struct Added {
-    /// Area on one side [m²].
-    area: f64,
-    /// Radius of the bottom [m].
-    radius: f64,
+    to: Rounded,
     /// Half width of the keel [m].
     least: f64,
+}
+
+/// What it was added to.
+#[derive(Clone, Debug)]
+enum Rounded {
+    /// An arc of a circle of a radius [m]; area of the keel on one side [m²].
+    Arc { area: f64, radius: f64 },
+    /// A curve, without and with the keel.
+    Curve(Box<[Section; 2]>),
 }
 
 /// A place on the bottom, or on the straight line that goes on from its chine.
@@ -100,9 +72,36 @@ impl Face {
             angle: direction.arg(),
             curvature: 1.0 / radius,
             length: radius * (end - keel),
+            round: true,
         };
-        let added = Added { area: 0.5 * radius * radius * (keel.tan() - keel), radius, least: radius * keel.sin() };
+        let to = Rounded::Arc { area: 0.5 * radius * radius * (keel.tan() - keel), radius };
+        let added = Added { to, least: radius * keel.sin() };
         Face { pieces: vec![tangent.pieces[0], arc], draught: 0.0, left_at: f64::INFINITY, added: Some(added) }
+    }
+
+    /// A bottom with curves, whose knuckles are rounded (THEORY EN39), as far as the flow follows it; the lowest part of a round one is replaced by
+    /// its tangents at the angle `keel` [rad].
+    pub fn curved(section: &Section, keel: f64) -> Face {
+        let mut line: Vec<Piece> = section.followed_curve();
+        let mut added = None;
+        if section.is_round() {
+            let first = line.iter().position(|piece| piece.last_angle() > keel).unwrap_or(line.len() - 1);
+            let piece = line[first];
+            let turned = if piece.angle < keel { (keel - piece.angle) / piece.curvature } else { 0.0 };
+            line[first] = piece.part(turned, piece.length);
+            let touched = line[first].from;
+            let lowest = c64::new(0.0, touched.im - touched.re * keel.tan());
+            line.splice(..first, [Piece::straight(lowest, touched)]);
+            line.iter_mut().for_each(|piece| piece.from -= lowest);
+            let with = section.with_keel(touched.re, keel.tan());
+            added = Some(Added { to: Rounded::Curve(Box::new([section.clone(), with])), least: touched.re });
+        }
+        Face { pieces: rounded(&placed(line)), draught: 0.0, left_at: f64::INFINITY, added }
+    }
+
+    /// Half width of the keel that was added [m]; 0 without one.
+    pub fn keel_half_width(&self) -> f64 {
+        self.added.as_ref().map_or(0.0, |added| added.least)
     }
 
     /// A polygon through `corners` from the keel to the chine [m], whose knuckles are rounded (THEORY EN39).
@@ -134,6 +133,7 @@ impl Face {
                 angle: direction.arg(),
                 curvature: 0.0,
                 length: (long - taken - next[0]).max(0.0),
+                round: false,
             };
             at += line.length;
             pieces.push(line);
@@ -142,7 +142,7 @@ impl Face {
                 let from = points[k + 1] - direction * straight;
                 let length =
                     if curvature == 0.0 { 2.0 * straight } else { 2.0 * (curvature * straight).atan() / curvature };
-                pieces.push(Piece { at, from, direction, angle: direction.arg(), curvature, length });
+                pieces.push(Piece { at, from, direction, angle: direction.arg(), curvature, length, round: false });
                 at += length;
             }
             taken = straight;
@@ -152,7 +152,15 @@ impl Face {
 
     fn of(direction: c64, curvature: f64, length: f64) -> Face {
         Face {
-            pieces: vec![Piece { at: 0.0, from: c64::ZERO, direction, angle: direction.arg(), curvature, length }],
+            pieces: vec![Piece {
+                at: 0.0,
+                from: c64::ZERO,
+                direction,
+                angle: direction.arg(),
+                curvature,
+                length,
+                round: false,
+            }],
             draught: 0.0,
             left_at: f64::INFINITY,
             added: None,
@@ -167,7 +175,7 @@ impl Face {
     /// Is it round at a distance from the keel [m]? A rounded knuckle is not.
     pub fn is_round(&self, along: f64) -> bool {
         let curved = |piece: &Piece| piece.at < along && along <= piece.at + piece.length && piece.curvature > 0.0;
-        self.added.is_some() && self.pieces.iter().any(curved)
+        self.pieces.iter().any(|piece| piece.round && curved(piece))
     }
 
     /// The same bottom with its keel at another draught [m].
@@ -234,12 +242,12 @@ impl Face {
 
     /// Size of the elements at a distance from the keel, by the rounded knuckles [m].
     pub fn size_at(&self, along: f64) -> f64 {
-        let rounded = self.pieces.iter().filter(|piece| (piece.curvature * piece.length).abs() > SHARP);
+        let rounded = self.pieces.iter().filter(|p| !p.round && (p.curvature * p.length).abs() > SHARP);
         let of = |piece: &Piece| {
             let away = (piece.at - along).max(along - piece.at - piece.length).max(0.0);
             piece.length / ON_KNUCKLE + GROWTH * away
         };
-        if self.added.is_some() { f64::INFINITY } else { rounded.map(of).fold(f64::INFINITY, f64::min) }
+        rounded.map(of).fold(f64::INFINITY, f64::min)
     }
 
     /// Length of what is straight or of one radius next to the keel [m].
@@ -254,9 +262,15 @@ impl Face {
 
     /// EN30: speed of the keel over that of the bottom, so that the wetted half width `c` [m] of Wagner (1932) grows as without the added keel.
     pub fn keel_speed(&self, c: f64) -> f64 {
-        self.added.map_or(1.0, |Added { area, radius, least }| {
-            1.0 + 4.0 * area * radius / (std::f64::consts::PI * c.max(least).powi(3))
-        })
+        let Some(Added { to, least }) = &self.added else { return 1.0 };
+        let c = c.max(*least);
+        match to {
+            Rounded::Arc { area, radius } => 1.0 + 4.0 * area * radius / (std::f64::consts::PI * c.powi(3)),
+            Rounded::Curve(sections) => {
+                let [without, with] = sections.each_ref().map(|section| section.wagner_slope(c));
+                with / without
+            }
+        }
     }
 
     /// Angle to the water of the straight face with the same jet (Wagner 1932), wet to a distance from the keel [m]:
@@ -267,6 +281,26 @@ impl Face {
         let total: f64 = weights.clone().sum();
         weights.map(|w| w * self.angle(along * w)).sum::<f64>() / total
     }
+}
+
+/// A line whose knuckles are rounded by arcs.
+fn rounded(line: &[Piece]) -> Vec<Piece> {
+    let mut pieces = vec![line[0]];
+    for pair in line.windows(2) {
+        let last = pieces[pieces.len() - 1];
+        if (pair[1].angle - last.last_angle()).abs() < SMOOTH {
+            pieces.push(pair[1]);
+            continue;
+        }
+        let straight = (ROUNDED * pair[1].at).min(0.5 * pair[0].length.min(pair[1].length));
+        let (kept, next) = (last.length - straight, pair[1].part(straight, pair[1].length));
+        pieces.pop();
+        pieces.push(last.part(0.0, kept));
+        let knuckle = arcs(last.at(kept), [next.from, next.direction]);
+        pieces.extend(knuckle.into_iter().map(|piece| Piece { round: false, ..piece }));
+        pieces.push(next);
+    }
+    placed(pieces)
 }
 
 #[cfg(test)]

@@ -93,7 +93,7 @@ impl EntryFlow {
             let range = "sections with dry chines at the start";
             return refused(format!("one of {} m of breadth at a draught of {draught} m", 2.0 * half_breadth), range);
         }
-        if section.radius().is_none() {
+        if !section.is_round() {
             // a wedge's flow begins at any draught
             flow = if section.is_followed_as_wedge() { flow.scaled_to(draught) } else { flow };
         } else if draught < flow.draught {
@@ -117,12 +117,23 @@ impl EntryFlow {
     fn first(section: &Section, draught: f64, speed: f64, keel_deg: f64) -> Option<EntryFlow> {
         let mut far = FAR;
         let (face, keel, draught, of_section) = match section.radius() {
+            None if section.is_round() => {
+                let keel = keel_deg.to_radians();
+                let face = Face::curved(section, keel);
+                let c = FIRST_WIDTH * face.keel_half_width();
+                far = far.max(BEGIN * FAR * section.followed_half_breadth() / c);
+                (face, keel_deg, FRAC_2_PI * keel.tan() * c, section.wagner_draught(c))
+            }
             None => {
                 let (keel, [x, y]) = (section.slope(0.0).atan(), section.first_face());
                 let bends = section.followed().len() > 2;
                 let draught = if bends { draught.min(LATEST * section.wagner_draught(x)) } else { 1e-3 * y };
                 far = far.max(BEGIN * FAR * section.followed_half_breadth() * FRAC_2_PI * keel.tan() / draught);
-                (Face::polygon(section.followed()), keel.to_degrees(), draught, draught)
+                let face = match section.curve() {
+                    Some(_) => Face::curved(section, keel),
+                    None => Face::polygon(section.followed()),
+                };
+                (face, keel.to_degrees(), draught, draught)
             }
             Some(radius) => {
                 let keel = keel_deg.to_radians();
@@ -151,7 +162,13 @@ impl EntryFlow {
 
     /// The draught at which the flow about a round bottom begins [m]; `None` for a wedge.
     fn first_draught(section: &Section) -> Option<f64> {
-        section.radius().map(|radius| section.wagner_draught(FIRST_WIDTH * radius * KEEL_DEG.to_radians().sin()))
+        let keel = KEEL_DEG.to_radians();
+        let half_width = match section.radius() {
+            Some(radius) => FIRST_WIDTH * radius * keel.sin(),
+            None if section.is_round() => FIRST_WIDTH * Face::curved(section, keel).keel_half_width(),
+            None => return None,
+        };
+        Some(section.wagner_draught(half_width))
     }
 
     /// The flow about a wedge at another draught [m]: all lengths in proportion to it.

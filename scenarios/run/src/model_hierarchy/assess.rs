@@ -68,10 +68,10 @@ const ROLLED: f64 = 1.5;
 fn flow_seconds(scene: &Scene, theory: &Theory) -> f64 {
     let faces = scene.body.as_ref().filter(|_| theory.rolls()).and_then(rolled::deadrises);
     let of_face = |[any, jet]: [f64; 2], deadrise: f64| any + jet / deadrise.to_radians().tan().powi(2);
-    match (faces, theory.section.radius()) {
-        (Some([left, right]), _) => ROLLED * of_face(OF_WEDGE, left.min(right)),
-        (None, Some(_)) => OF_ROUND,
-        (None, None) => {
+    match faces {
+        Some([left, right]) => ROLLED * of_face(OF_WEDGE, left.min(right)),
+        None if theory.section.is_round() => OF_ROUND,
+        None => {
             let deadrises: Vec<f64> = theory.section.followed_deadrises().collect();
             let of_flow = if deadrises.len() == 1 { OF_WEDGE } else { OF_BENT };
             of_face(of_flow, deadrises.into_iter().fold(90.0, f64::min))

@@ -89,7 +89,7 @@ fn measured_without_gravity(scene: &Scene, theory: &Theory, want: QuantityOfInte
     if theory.rolls() {
         return of_rolled_wedge(scene, want);
     }
-    if theory.section.radius().is_some() {
+    if theory.section.is_round() {
         return of_round_bottom(scene, theory, want);
     }
     let Some(deadrise) = theory.section.deadrise_deg() else { return of_bent_bottom(scene, theory, want) };

@@ -130,7 +130,7 @@ impl Theory {
                 refuse(&format!("from t = {} s on one that is deeper than its breadth", significant(now.time)))
             });
         // deep under a round bottom the formula is not near
-        let of_formula = end.filter(|_| section.radius().is_none());
+        let of_formula = end.filter(|_| !section.is_round());
         let too_steep = theory.instants.iter().find_map(|now| {
             let OutOfRange { what, range, next } = model.covers(&section, now.wetted).err()?;
             Some(OutOfRange { what: format!("{what}, wet from t = {} s on", significant(now.time)), range, next })
@@ -142,7 +142,7 @@ impl Theory {
     /// Why a flow about a round bottom, of which only the first part is outlined, may not be followed to the end: as fast as at the last
     /// instant, and faster by its fall, the body would be under water.
     pub fn may_go_under(&self, scene: &Scene) -> Option<OutOfRange> {
-        let body = scene.body.as_ref().filter(|_| !self.model.is_formula() && self.section.radius().is_some())?;
+        let body = scene.body.as_ref().filter(|_| !self.model.is_formula() && self.section.is_round())?;
         let last = self.instants.last()?;
         let left = scene.time.end - last.time;
         let g = if matches!(body.motion, Motion::Free(_)) { -scene.gravity[1] } else { 0.0 };

@@ -34,6 +34,10 @@ pub struct Body {
     /// Layer of a DXF, or id or label of a group of an SVG, that has the outline. absent: all lines that are visible.
     #[serde(default, skip_serializing)]
     pub outline_layer: Option<String>,
+    /// Whether points of a polygon that stand for a curve are joined by arcs of circles (THEORY EN49): at least five in a row with like curvature
+    /// and turns below 22 degrees. absent: true without body.panels and body.modal.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub smooth: Option<bool>,
     /// Table of the motion, motion = "tabulated", below the folder of the scene's file: a header of t and x, y, angle, or the velocities
     /// vx, vy, omega, each with its unit in brackets, such as mm. Displacements count from the first row; velocities are linear between rows.
     #[serde(default, skip_serializing)]

@@ -3,6 +3,7 @@
 use fsi_coupling::Shape;
 use fsi_coupling::geometry::polygon;
 use settings::significant;
+use water_entry::curve::refined;
 
 use crate::keys::{Body, Freedom, Motion, Scene, Symmetry, panel_length};
 use crate::outline::OutlineReport;
@@ -26,6 +27,7 @@ pub(crate) fn implausible(scene: &Scene, outline: Option<&OutlineReport>) -> Vec
             let doubtful = mean_density(scene, body, mass, outline);
             of_body.extend(doubtful.or_else(|| lighter_than_panels(scene, body, mass)));
         }
+        of_body.extend(coarse_curve(body));
         of_body.extend(outline.and_then(|file| half_section(scene, body, file)));
         warnings.extend(of_body.into_iter().map(|warning| scene.about(body) + &warning));
     }
@@ -87,6 +89,18 @@ fn lighter_than_panels(scene: &Scene, body: &Body, mass: f64) -> Option<String> 
             significant(panels)
         )
     })
+}
+
+/// Points that stand for a curve and stay corners, because panels lie on the sides between them.
+fn coarse_curve(body: &Body) -> Option<String> {
+    let Shape::Polygon { points } = &body.shape else { return None };
+    let fine = refined(points).filter(|fine| body.bends() && fine.len() >= 2 * points.len())?;
+    Some(format!(
+        "{} points of body.points stand for a curve, and the water meets them as corners, because panels lie on the sides between them; \
+         forces under 40 corners were up to 13 % above those under the curve: {} points would do",
+        points.len(),
+        fine.len()
+    ))
 }
 
 /// A section of which the file has one half, with a side on the axis, in a scene without symmetry.
