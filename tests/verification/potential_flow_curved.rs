@@ -68,10 +68,8 @@ fn forces_do_not_depend_on_the_number_of_points() {
 #[test]
 fn a_rounded_keel_is_forgotten() {
     let (radius, slope) = (0.05, 30.0_f64.to_radians());
-    let mut corners: Vec<[f64; 2]> = (0..=6)
-        .map(|k| slope * f64::from(k) / 6.0)
-        .map(|t| [radius * t.sin(), radius * (1.0 - t.cos())])
-        .collect();
+    let mut corners: Vec<[f64; 2]> =
+        (0..=6).map(|k| slope * f64::from(k) / 6.0).map(|t| [radius * t.sin(), radius * (1.0 - t.cos())]).collect();
     let [x, y] = corners[6];
     corners.push([1.0, y + (1.0 - x) * slope.tan()]);
     let rows = loads(&Section::new(&corners).expect("a section"), 0.01, 0.3);

@@ -337,7 +337,10 @@ mod tests {
             assert!(off < 3e-3, "{off}");
         }
         assert_eq!(refined(&ellipse(8)), None);
-        assert_eq!(refined(&[[0.0, 0.0], [0.5, 0.1], [1.0, 0.3], [1.0, 1.0], [-1.0, 1.0], [-1.0, 0.3], [-0.5, 0.1]]), None);
+        assert_eq!(
+            refined(&[[0.0, 0.0], [0.5, 0.1], [1.0, 0.3], [1.0, 1.0], [-1.0, 1.0], [-1.0, 0.3], [-0.5, 0.1]]),
+            None
+        );
         // a half ellipse under a deck keeps its corners
         let mut half: Vec<[f64; 2]> = ellipse(40).into_iter().filter(|[_, y]| *y < 1e-9).collect();
         half.sort_by(|a, b| a[0].total_cmp(&b[0]));
@@ -359,7 +362,8 @@ mod tests {
         assert!(through(&faces(&[20.0, 26.0, 32.0, 38.0])).is_none());
         assert!(through(&faces(&[0.0, 30.0])).is_none());
         let line = through(&faces(&[3.0, 9.0, 15.0, 21.0, 27.0, 33.0, 70.0])).expect("a curve");
-        let jumps: Vec<f64> = line.windows(2).map(|w| w[1].angle - w[0].last_angle()).filter(|j| j.abs() > 0.1).collect();
+        let jumps: Vec<f64> =
+            line.windows(2).map(|w| w[1].angle - w[0].last_angle()).filter(|j| j.abs() > 0.1).collect();
         assert!(jumps.len() == 1 && (jumps[0].to_degrees() - 34.0).abs() < 2.0, "{jumps:?}");
     }
 }

@@ -95,7 +95,11 @@ impl Entry {
             fastest: speed,
             attached_speed: speed,
             peak_draught: chines,
-            unequal_faces: if matches!(bottom, Bottom::Wedge { .. }) { unequal_faces(&body.placed_outline()) } else { 0.0 },
+            unequal_faces: if matches!(bottom, Bottom::Wedge { .. }) {
+                unequal_faces(&body.placed_outline())
+            } else {
+                0.0
+            },
             cushion: cushion(body, draught, speed),
         };
         let Motion::Free(freedom) = &body.motion else { return Some(steady) };

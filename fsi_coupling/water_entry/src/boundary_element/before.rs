@@ -57,9 +57,7 @@ impl Before {
     pub fn share_of_flow(&self, draught: f64) -> f64 {
         match self {
             Before::Similar(..) => 1.0,
-            Before::Round(_, _, [from, to]) => {
-                ((draught - from) / (to - from)).clamp(0.0, 1.0)
-            }
+            Before::Round(_, _, [from, to]) => ((draught - from) / (to - from)).clamp(0.0, 1.0),
         }
     }
 

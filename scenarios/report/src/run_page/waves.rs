@@ -21,8 +21,12 @@ fn of_body(body: &BodyInWaves) -> Vec<Block> {
     .collect();
     let [from, to] = body.window_s;
     let bars = match body.fx.first_band {
-        Some(_) => "the band (GE29), of the means of moment and motions the 95 % interval by the scatter from period to period",
-        None => "the 95 % interval of their mean by the scatter from period to period; it does not include the error of the spacing",
+        Some(_) => {
+            "the band (GE29), of the means of moment and motions the 95 % interval by the scatter from period to period"
+        }
+        None => {
+            "the 95 % interval of their mean by the scatter from period to period; it does not include the error of the spacing"
+        }
     };
     let text = format!(
         "{}: mean and harmonics over {} periods, {from:.2} to {to:.2} s. ± is {bars}. The mean is less that before the waves.{amplitudes} Over a: per metre of incident \

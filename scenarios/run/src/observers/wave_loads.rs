@@ -117,7 +117,8 @@ impl Series {
         let spacings = -min[1] / scene.resolution.spacing;
         // what was measured: incompressible water and a relaxation zone
         let known = spacings >= LEAST_SPACINGS && scene.solver.is_incompressible() && scene.relaxation().is_some();
-        let banded = |found: Harmonics, mean: Option<MeanBand>| if known { found.banded(spacings, mean) } else { found };
+        let banded =
+            |found: Harmonics, mean: Option<MeanBand>| if known { found.banded(spacings, mean) } else { found };
         let buoyancy = scene.water().density * scene.gravity[1].abs() * (max[0] - min[0]) * -min[1];
         let (x, y, angle, [cx, cy]) = (column("x_m")?, column("y_m")?, column("angle_deg")?, body.center_of_mass);
         let arm = |row: &[f64]| {

@@ -118,8 +118,12 @@ impl Judge {
                 return by_force(peak, raw);
             }
             let why = match known {
-                true => "the largest acceleration is that of free fall before contact, and no result; the water decelerates the body by less than that",
-                false => "the largest acceleration is that of free fall before contact, and the force of the water is not resolved",
+                true => {
+                    "the largest acceleration is that of free fall before contact, and no result; the water decelerates the body by less than that"
+                }
+                false => {
+                    "the largest acceleration is that of free fall before contact, and the force of the water is not resolved"
+                }
             };
             (Verdict::NotResolved, None, Some(why.into()))
         };

@@ -7,8 +7,8 @@ use std::sync::atomic::AtomicBool;
 use run::error_bar::ErrorBars;
 use run::summary::Summary;
 use run::{Checkpoints, Resumable, RunOptions, run};
-use scene::{Loaded, Scene};
 use scene::vocabulary::{Quantity, ResultId, ResultName, Results, Status};
+use scene::{Loaded, Scene};
 use serde::Deserialize;
 
 use crate::experiments::ExperimentError;

@@ -1,5 +1,9 @@
 //! The bottom of a symmetric body for entry theories, and the bottoms that each model holds for.
 
+mod corners;
+
+use corners::{area_between, areas_of, corners_of, hull_of, slopes_of, straightened, without_dents};
+
 use super::curve::{self, Piece};
 use super::model::{EntryModel, OutOfRange};
 
@@ -7,20 +11,15 @@ use super::model::{EntryModel, OutOfRange};
 const LEAST_DEADRISE_DEG: f64 = 4.0;
 /// Deadrise of the plates by which a bottom goes on past its chines (Tassin, Korobkin & Cooker 2014) [deg].
 const CONTINUATION_DEG: f64 = 60.0;
-/// Depth of a dent over the breadth up to which a bottom counts as convex: points are rounded [-].
-const DENT: f64 = 1e-4;
-/// Largest turn at a corner that is none [rad].
-const ON_A_LINE: f64 = 1e-9;
 /// Corners on one side of the keel from which they may stand for a circle.
 const LEAST_ON_CIRCLE: usize = 6;
 /// Largest difference of the radii through them [-].
 const OFF_CIRCLE: f64 = 0.005;
 /// Corners of half an arc.
 const ARC_CORNERS: usize = 96;
-/// Largest turn between two corners of a curve [rad]; a larger one is a knuckle.
-const CURVE_TURN: f64 = 1.0 * std::f64::consts::PI / 180.0;
 /// Slope of a face that is level [-].
 const LEVEL: f64 = 1e-6;
+/// Turn of a knuckle, from which a curve does not pass it [rad].
 pub(super) const KNUCKLE: f64 = 3.0 * std::f64::consts::PI / 180.0;
 
 /// Half of a symmetric bottom: height f(x) over the keel, rising from the keel at x = 0 to the chine, and past it the plates by
@@ -299,97 +298,6 @@ impl Section {
     }
 }
 
-/// Corners along a curve, with few degrees between them.
-fn corners_of(curve: &[Piece]) -> Vec<[f64; 2]> {
-    let mut corners = vec![[0.0, 0.0]];
-    for piece in curve {
-        let count = ((piece.curvature * piece.length).abs() / CURVE_TURN).ceil().max(1.0);
-        let at = (1..=count as usize).map(|k| piece.at(piece.length * k as f64 / count)[0]);
-        corners.extend(at.map(|z| [z.re, z.im]));
-    }
-    corners
-}
-
-/// Area between the heights of two corners [m²], both halves, up to a draught.
-fn area_between([x0, y0]: [f64; 2], [x1, y1]: [f64; 2], draught: f64) -> f64 {
-    let top = draught.min(y1);
-    let x = if y1 > y0 { x0 + (x1 - x0) * (top - y0) / (y1 - y0) } else { x1 };
-    (x0 + x) * (top - y0)
-}
-
-/// Area below the level of each corner [m²], both halves.
-fn areas_of(corners: &[[f64; 2]]) -> Vec<f64> {
-    let mut area = 0.0;
-    let mut add = |w: &[[f64; 2]]| {
-        area += area_between(w[0], w[1], w[1][1]);
-        area
-    };
-    std::iter::once(0.0).chain(corners.windows(2).map(&mut add)).collect()
-}
-
-/// Slopes df/dx between corners [-].
-fn slopes_of(corners: &[[f64; 2]]) -> Vec<f64> {
-    corners.windows(2).map(|w| (w[1][1] - w[0][1]) / (w[1][0] - w[0][0])).collect()
-}
-
-/// Without the corners on a straight line between their neighbours; a bottom that is straight to the digits of its points is one face.
-fn straightened(corners: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
-    let (first, last) = (corners[0], corners[corners.len() - 1]);
-    let [breadth, height] = sub(last, first);
-    let off = |corner: &[f64; 2]| {
-        let [x, y] = sub(*corner, first);
-        (y - x * height / breadth).abs()
-    };
-    if corners.len() > 1 && corners.iter().all(|corner| off(corner) <= DENT * 2.0 * breadth.abs()) {
-        return vec![first, last];
-    }
-    let mut kept: Vec<[f64; 2]> = Vec::new();
-    for next in corners {
-        if let [.., before, corner] = kept[..] {
-            let ([ax, ay], [bx, by]) = (sub(corner, before), sub(next, corner));
-            if (ax * by - ay * bx).abs() < ON_A_LINE * ax.hypot(ay) * bx.hypot(by) {
-                kept.pop();
-            }
-        }
-        kept.push(next);
-    }
-    kept
-}
-
-/// The corners of a convex bottom as they are; of one that is convex to the digits of its points, those of its convex hull; of another its
-/// corners, and the place and depth of its hollow [m].
-fn without_dents(corners: Vec<[f64; 2]>) -> (Vec<[f64; 2]>, Option<[f64; 2]>) {
-    if slopes_of(&corners).windows(2).all(|w| w[1] >= w[0] - 1e-9) {
-        return (corners, None);
-    }
-    let hull = hull_of(&corners);
-    let height = |x: f64| {
-        let k = hull.partition_point(|c| c[0] < x).clamp(1, hull.len() - 1);
-        let ([x0, y0], [x1, y1]) = (hull[k - 1], hull[k]);
-        y0 + (y1 - y0) * (x - x0) / (x1 - x0)
-    };
-    let dents = corners.iter().map(|[x, y]| [*x, y - height(*x)]);
-    let deepest = dents.fold([0.0, 0.0], |most, dent| if dent[1] > most[1] { dent } else { most });
-    match deepest[1] > DENT * 2.0 * corners[corners.len() - 1][0] {
-        true => (corners, Some(deepest)),
-        false => (hull, None),
-    }
-}
-
-/// The corners of the convex hull seen from below.
-fn hull_of(corners: &[[f64; 2]]) -> Vec<[f64; 2]> {
-    let mut hull: Vec<[f64; 2]> = Vec::new();
-    for corner in corners {
-        while let [.., a, b] = hull[..]
-            && (b[0] - a[0]) * (corner[1] - a[1]) <= (corner[0] - a[0]) * (b[1] - a[1])
-        {
-            hull.pop();
-        }
-        hull.push(*corner);
-    }
-    hull
-}
-
 impl OutOfRange {
     /// What has no bottom that a theory could take.
     pub fn not_a_section(what: &str) -> OutOfRange {
@@ -399,11 +307,6 @@ impl OutOfRange {
             next: EntryModel::Wcsph,
         }
     }
-}
-
-/// a − b.
-fn sub(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
-    [a[0] - b[0], a[1] - b[1]]
 }
 
 #[cfg(test)]
