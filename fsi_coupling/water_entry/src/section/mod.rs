@@ -49,11 +49,16 @@ impl Section {
         let (corners, hollow) = without_dents(straightened(corners));
         let curve = curve::through(&corners);
         let corners = curve.as_ref().map_or(corners, |curve| corners_of(curve));
+        Ok(Section { curve, hollow, ..Section::faces(corners)? })
+    }
+
+    /// Straight faces between corners.
+    fn faces(corners: Vec<[f64; 2]>) -> Result<Section, OutOfRange> {
         let slopes = slopes_of(&corners);
         if slopes[0] < 0.0 {
             return Err(OutOfRange::not_a_section("a bottom that falls next to its keel"));
         }
-        Ok(Section { areas: areas_of(&corners), corners, slopes, radius: None, curve, hollow })
+        Ok(Section { areas: areas_of(&corners), corners, slopes, radius: None, curve: None, hollow: None })
     }
 
     /// A wedge of the given deadrise [deg] and breadth [m].
@@ -68,7 +73,7 @@ impl Section {
         let at = |k: usize| end * (k as f64 / ARC_CORNERS as f64).powf(1.5);
         let corner = |k: usize| [radius * at(k).sin(), 2.0 * radius * (0.5 * at(k)).sin().powi(2)];
         let corners: Vec<[f64; 2]> = (0..=ARC_CORNERS).map(corner).collect();
-        Ok(Section { radius: Some(radius), curve: None, ..Section::new(&corners)? })
+        Ok(Section { radius: Some(radius), ..Section::faces(corners)? })
     }
 
     /// The bottom of an upright body whose outline has these corners [m], in order around it.
