@@ -7,6 +7,9 @@ use serde::Serialize;
 /// Two-sided 95 % points of Student's distribution for 1 to 10 degrees of freedom.
 const STUDENT: [f64; 10] = [12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228];
 
+/// Periods of a half from which both halves are compared.
+const HALF: usize = 3;
+
 /// Mean and harmonics of a load or a motion over whole periods. Each `plus_minus` is the half width of the 95 % interval of the mean over the
 /// periods, from their scatter: it says how regular the curve is, not how right.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -169,7 +172,8 @@ pub fn harmonics(
     })
 }
 
-/// Magnitude of the mean of the n-th amplitudes of the periods (n = 0: the mean itself), and its 95 % interval along it.
+/// Magnitude of the mean of the n-th amplitudes of the periods (n = 0: the mean itself), and its 95 % interval along it; at least what the means of
+/// both halves of the periods differ by, since a tank swings slowly.
 fn middle(each: &[[[f64; 2]; 3]], n: usize) -> [f64; 2] {
     let count = each.len() as f64;
     let mean = [0, 1].map(|part| each.iter().map(|of| of[n][part]).sum::<f64>() / count);
@@ -178,7 +182,10 @@ fn middle(each: &[[[f64; 2]; 3]], n: usize) -> [f64; 2] {
     let scatter = each.iter().map(|of| (along(&of[n]) - size).powi(2)).sum::<f64>() / (count - 1.0);
     let value = if n == 0 { mean[0] } else { size };
     let student = STUDENT.get(each.len() - 2).copied().unwrap_or(2.0 + 2.4 / count);
-    [value, student * (scatter / count).sqrt()]
+    let half = each.len() / 2;
+    let of_half = |part: &[[[f64; 2]; 3]]| part.iter().map(|of| along(&of[n])).sum::<f64>() / part.len() as f64;
+    let swing = if half >= HALF { (of_half(&each[..half]) - of_half(&each[half..])).abs() } else { 0.0 };
+    [value, (student * (scatter / count).sqrt()).max(swing)]
 }
 
 #[cfg(test)]

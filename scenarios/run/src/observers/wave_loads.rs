@@ -119,6 +119,7 @@ impl Series {
         let known = spacings >= LEAST_SPACINGS && scene.solver.is_incompressible() && scene.relaxation().is_some();
         let banded =
             |found: Harmonics, mean: Option<MeanBand>| if known { found.banded(spacings, mean) } else { found };
+        let moved = |found: Harmonics| if body.motion == Motion::Fixed { found } else { banded(found, None) };
         let buoyancy = scene.water().density * scene.gravity[1].abs() * (max[0] - min[0]) * -min[1];
         let (x, y, angle, [cx, cy]) = (column("x_m")?, column("y_m")?, column("angle_deg")?, body.center_of_mass);
         let arm = |row: &[f64]| {
@@ -137,9 +138,9 @@ impl Series {
             fx: banded(plain("fx_N_per_m", [fx, theory.drift])?, Some(MeanBand::BySpacings)),
             fy: banded(plain("fy_N_per_m", [fy, None])?, Some(MeanBand::Of(OF_BUOYANCY * buoyancy))),
             moment: banded(of(&|row| row[at_origin] - about(row), [moment, None], false)?, None),
-            x: banded(of(&|row| row[x] + arm(row)[0], [of_x, None], true)?, None),
-            y: banded(of(&|row| row[y] + arm(row)[1], [of_y, None], true)?, None),
-            angle: banded(of(&|row| row[angle], [of_angle, None], true)?, None),
+            x: moved(of(&|row| row[x] + arm(row)[0], [of_x, None], true)?),
+            y: moved(of(&|row| row[y] + arm(row)[1], [of_y, None], true)?),
+            angle: moved(of(&|row| row[angle], [of_angle, None], true)?),
         })
     }
 

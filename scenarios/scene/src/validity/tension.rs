@@ -16,10 +16,10 @@ pub fn with_tension((verdict, band, why): Finding, tension: [f64; 2], force: [f6
     if verdict != Verdict::Resolved || share <= MOST_TENSION {
         return (verdict, band.map(|band| band + TENSION_BAND * share), why);
     }
+    let takes = if share > 1.0 { "more than all".into() } else { format!("{} %", significant(100.0 * share)) };
     let why = format!(
-        "tension of the water takes {} % off it: where air comes in, as beside a keel that water crosses, the force is larger; \
-         fluid.cavitation_pressure = 0 lets it in (solver = weakly_compressible)",
-        significant(100.0 * share)
+        "tension of the water takes {takes} off it: where air comes in, as beside a keel that water crosses, the force is larger; \
+         fluid.cavitation_pressure = 0 lets it in (solver = weakly_compressible)"
     );
     (Verdict::NotResolved, None, Some(why.into()))
 }
