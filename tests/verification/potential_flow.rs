@@ -91,7 +91,12 @@ fn what_is_outside_the_range_is_refused() {
     }
     let flat = Section::arc(1.0, 0.5).expect("a section");
     let refused = EntryFlow::new(&flat, 0.02, SPEED, 0.0).expect_err("out of range").to_string();
-    assert!(refused.contains("arcs of 20 degrees and more, not an arc that ends at 14.5 degrees"), "{refused}");
+    assert!(
+        refused.contains(
+            "arcs of 20 degrees and more, and round bottoms that end at 17, not an arc that ends at 14.5 degrees"
+        ),
+        "{refused}"
+    );
     let early = EntryFlow::new(&Section::arc(1.0, 1.5).expect("a section"), 0.001, SPEED, 0.0).expect_err("too early");
     assert!(early.to_string().contains("from a draught of 0.01"), "{early}");
     for (draught, speed) in [(0.0, SPEED), (START, -1.0), (f64::NAN, SPEED)] {

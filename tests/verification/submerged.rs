@@ -23,7 +23,7 @@ fn cylinder() -> String {
         format!("[{:.12}, {:.12}]", 0.5 * D * angle.sin(), -0.5 * D * angle.cos())
     };
     let points: Vec<String> = (0..CORNERS).map(corner).collect();
-    format!("shape = \"polygon\"\npoints = [{}]", points.join(", "))
+    format!("shape = \"polygon\"\nsmooth = false\npoints = [{}]", points.join(", "))
 }
 
 const SOLVERS: [&str; 2] = ["incompressible", "weakly_compressible"];

@@ -18,6 +18,8 @@ const OFF_ARCS: f64 = 1e-4;
 const FINE_TURN: f64 = 2.0 * std::f64::consts::PI / 180.0;
 /// Where a bottom ends [rad].
 const UPRIGHT: f64 = 89.9 * std::f64::consts::PI / 180.0;
+/// Largest ratio of the angles of a side with the tangents at its ends: with 3 and more one of the two arcs turns the other way [-].
+const ONE_WAY: f64 = 2.5;
 /// Tangents that differ by less are one [rad].
 const SAME: f64 = 1e-9;
 
@@ -216,6 +218,20 @@ impl Line<'_> {
                 nodes[k].after = mirrored(nodes[next].before, chord);
             }
         }
+        for k in 0..n {
+            let Some(next) = self.beside(k, true) else { continue };
+            let chord = unit(points[next] - points[k]);
+            let turned = |by: f64| chord * c64::new(by.cos(), by.sin());
+            let [first, last] = [(chord / nodes[k].after).arg(), (nodes[next].before / chord).arg()];
+            if first * last <= 0.0 {
+                continue;
+            }
+            if last.abs() > ONE_WAY * first.abs() && smooth[next] {
+                [nodes[next].before, nodes[next].after] = [turned(ONE_WAY * first); 2];
+            } else if first.abs() > ONE_WAY * last.abs() && smooth[k] && (k > 0 || self.closed) {
+                [nodes[k].before, nodes[k].after] = [turned(-ONE_WAY * last); 2];
+            }
+        }
         nodes
     }
 }
@@ -258,7 +274,8 @@ pub(crate) fn through(corners: &[[f64; 2]]) -> Option<Vec<Piece>> {
     };
     let fits = |i: usize, j: usize| {
         let pieces = between(i, j);
-        (i + 1..j).all(|k| off(&pieces, nodes[k].z) < OFF_ARCS * length)
+        let one_way = pieces.iter().all(|p| p.curvature >= 0.0) || pieces.iter().all(|p| p.curvature <= 0.0);
+        one_way && (i + 1..j).all(|k| off(&pieces, nodes[k].z) < OFF_ARCS * length)
     };
     let (mut i, mut line) = (0, Vec::new());
     while i + 1 < nodes.len() {
@@ -336,6 +353,13 @@ mod tests {
             let off = fine.iter().map(|[x, y]| (x.hypot(y / 1.5) - 1.0).abs()).fold(0.0, f64::max);
             assert!(off < 3e-3, "{off}");
         }
+        // a flat keel between corners of a curve does not bulge
+        let squarish =
+            |t: f64| [t.sin().signum() * t.sin().abs().powf(0.62), -t.cos().signum() * t.cos().abs().powf(0.62)];
+        let points: Vec<[f64; 2]> =
+            (0..40).map(|k| squarish(2.0 * std::f64::consts::PI * f64::from(k) / 40.0)).collect();
+        let lowest = refined(&points).expect("a curve").iter().map(|p| p[1]).fold(0.0, f64::min);
+        assert!((lowest + 1.0).abs() < 1e-12, "{lowest}");
         assert_eq!(refined(&ellipse(8)), None);
         assert_eq!(
             refined(&[[0.0, 0.0], [0.5, 0.1], [1.0, 0.3], [1.0, 1.0], [-1.0, 1.0], [-1.0, 0.3], [-0.5, 0.1]]),

@@ -6,6 +6,8 @@ use super::section::{KNUCKLE, Section};
 
 /// Least angle at the ends of an arc for boundary elements [deg].
 const LEAST_ARC_DEG: f64 = 20.0;
+/// Least angle at the ends of another round bottom: that of the keel that is added to it, and some more [deg].
+const LEAST_CURVE_DEG: f64 = 17.0;
 /// Least angle by which a bottom turns up where the flow about a bent one leaves it for good [deg].
 const LEAST_CHINE_DEG: f64 = 20.0;
 
@@ -35,13 +37,12 @@ impl EntryModel {
             _ if !self.is_theory() => None,
             EntryModel::BoundaryElement if section.is_round() => {
                 let end = section.last_angle_deg();
-                let short = end < LEAST_ARC_DEG;
-                short.then(|| {
-                    (
-                        format!("a round bottom that ends at {end:.1} degrees"),
-                        format!("round bottoms that end at {LEAST_ARC_DEG} degrees and more"),
-                    )
-                })
+                let (least, what) = match section.radius() {
+                    Some(_) => (LEAST_ARC_DEG, "an arc that ends"),
+                    None => (LEAST_CURVE_DEG, "a round bottom that ends"),
+                };
+                let range = || format!("arcs of {LEAST_ARC_DEG} degrees and more, and round bottoms that end at {LEAST_CURVE_DEG}");
+                (end < least).then(|| (format!("{what} at {end:.1} degrees"), range()))
             }
             EntryModel::BoundaryElement if section.flat_keel().is_some() => {
                 Some(("a flat keel".into(), "bottoms with a keel, or round ones".into()))

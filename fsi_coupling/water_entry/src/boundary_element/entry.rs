@@ -3,6 +3,7 @@
 use super::super::entry::{Instant, SectionMotion};
 use super::super::model::{EntryModel, OutOfRange};
 use super::super::section::Section;
+use super::KEELS_DEG;
 use super::before::Before;
 use super::solution::FlowLoad;
 use super::state::EntryFlow;
@@ -41,6 +42,9 @@ pub struct FlowEntry<'a> {
     pub density: f64,
 }
 
+/// A section at the times asked for as far as its flow was followed, its steps, and why not further.
+pub type Followed = (Vec<Instant>, FlowHistory, Option<OutOfRange>);
+
 /// A step of the motion.
 #[derive(Clone, Debug)]
 struct Step {
@@ -67,12 +71,27 @@ impl FlowEntry<'_> {
     ///
     /// # Errors
     /// As [`EntryFlow::new`]; a flow that cannot be followed for two steps.
-    pub fn solve(&self, times: &[f64]) -> Result<(Vec<Instant>, FlowHistory, Option<OutOfRange>), OutOfRange> {
+    pub fn solve(&self, times: &[f64]) -> Result<Followed, OutOfRange> {
+        let keels = if self.section.curve().is_some() { &KEELS_DEG[..] } else { &KEELS_DEG[..1] };
+        let mut best = self.solve_with(KEELS_DEG[0], times);
+        for keel in &keels[1..] {
+            let reached = |found: &Result<Followed, OutOfRange>| found.as_ref().map_or(0, |found| found.0.len());
+            if reached(&best) == times.len() {
+                break;
+            }
+            let other = self.solve_with(*keel, times);
+            best = if reached(&other) > reached(&best) { other } else { best };
+        }
+        best
+    }
+
+    /// The same with a keel of an angle [deg] under a round bottom.
+    fn solve_with(&self, keel_deg: f64, times: &[f64]) -> Result<Followed, OutOfRange> {
         let end = times.last().copied().unwrap_or(0.0);
         let start = [self.draught, self.speed];
         let [g, in_air, at_contact] = contact(self.motion, start, self.gravity);
-        let begin = self.begin(at_contact, end - in_air, g);
-        let mut flow = EntryFlow::new(self.section, begin, at_contact, self.gravity)?;
+        let begin = self.begin(at_contact, end - in_air, g, keel_deg);
+        let mut flow = EntryFlow::with_keel(self.section, begin, at_contact, self.gravity, keel_deg)?;
         let calm = EntryFlow { gravity: 0.0, ..flow.clone() };
         let before = Before::new(self.section, &calm, self.gravity)?;
 
@@ -123,8 +142,8 @@ impl FlowEntry<'_> {
 
     /// The draught at which the flow begins [m]: a wedge's from a share of that at which its chines are wet, or at which it would be after
     /// the time `left` [s] in the water.
-    fn begin(&self, at_contact: f64, left: f64, g: f64) -> f64 {
-        match (self.draught, EntryFlow::first_draught(self.section)) {
+    fn begin(&self, at_contact: f64, left: f64, g: f64, keel_deg: f64) -> f64 {
+        match (self.draught, EntryFlow::first_draught(self.section, keel_deg)) {
             (draught, first) if draught > 0.0 => draught.max(first.unwrap_or(0.0)),
             (_, Some(first)) => first,
             (draught, None) => {

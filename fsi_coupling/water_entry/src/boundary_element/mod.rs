@@ -48,6 +48,8 @@ const DRAUGHT_GROWTH: f64 = 0.03;
 const FAR: f64 = 240.0;
 /// Angle of the keel that is added to a round bottom [deg].
 const KEEL_DEG: f64 = 15.0;
+/// Those that are tried one after the other under a bottom given by points: flat ones need a steeper keel [deg].
+const KEELS_DEG: [f64; 3] = [KEEL_DEG, 20.0, 25.0];
 /// Half width of the first flow about a round bottom, over that of its keel [-].
 const FIRST_WIDTH: f64 = 0.8;
 /// Length beyond the chine at which the jet's end leaves it, over the finest element.
@@ -77,6 +79,17 @@ impl EntryFlow {
     /// A section that is neither a wedge of [`BOUNDARY_ELEMENT_DEADRISES`] nor an arc nor a polygon of such faces; a draught or a speed that is not above zero; of a round
     /// bottom a draught below the first; wet chines.
     pub fn new(section: &Section, draught: f64, speed: f64, gravity: f64) -> Result<EntryFlow, OutOfRange> {
+        EntryFlow::with_keel(section, draught, speed, gravity, KEEL_DEG)
+    }
+
+    /// The same with a keel of an angle [deg] under a round bottom.
+    fn with_keel(
+        section: &Section,
+        draught: f64,
+        speed: f64,
+        gravity: f64,
+        keel_deg: f64,
+    ) -> Result<EntryFlow, OutOfRange> {
         EntryModel::BoundaryElement.covers(section, 0.0)?;
         let refused =
             |what: String, range: &str| Err(OutOfRange { what, range: range.into(), next: EntryModel::Wcsph });
@@ -84,7 +97,7 @@ impl EntryFlow {
             let range = "draughts and downward speeds above zero";
             return refused(format!("a draught of {draught} m and a speed of {speed} m/s"), range);
         }
-        let Some(mut flow) = EntryFlow::first(section, draught, speed, KEEL_DEG) else {
+        let Some(mut flow) = EntryFlow::first(section, draught, speed, keel_deg) else {
             let deadrise = section.slope(0.0).atan().to_degrees();
             return refused(format!("a deadrise of {deadrise:.2} degrees"), "deadrises with a similarity solution");
         };
@@ -161,8 +174,8 @@ impl EntryFlow {
     }
 
     /// The draught at which the flow about a round bottom begins [m]; `None` for a wedge.
-    fn first_draught(section: &Section) -> Option<f64> {
-        let keel = KEEL_DEG.to_radians();
+    fn first_draught(section: &Section, keel_deg: f64) -> Option<f64> {
+        let keel = keel_deg.to_radians();
         let half_width = match section.radius() {
             Some(radius) => FIRST_WIDTH * radius * keel.sin(),
             None if section.is_round() => FIRST_WIDTH * Face::curved(section, keel).keel_half_width(),
