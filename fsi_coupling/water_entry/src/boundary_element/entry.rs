@@ -3,7 +3,6 @@
 use super::super::entry::{Instant, SectionMotion};
 use super::super::model::{EntryModel, OutOfRange};
 use super::super::section::Section;
-use super::KEELS_DEG;
 use super::before::Before;
 use super::solution::FlowLoad;
 use super::state::EntryFlow;
@@ -16,6 +15,10 @@ const BEGIN_OF_SIMILAR: f64 = 0.6;
 pub(super) const LATEST: f64 = 0.5;
 /// And at the latest at this draught over V²/g: the similar flow, from which it begins, has no gravity.
 pub(super) const LATEST_UNDER_GRAVITY: f64 = 0.02;
+/// Angle of the keel that is added to a round bottom [deg].
+pub(super) const KEEL_DEG: f64 = 15.0;
+/// Those that are tried one after the other under a bottom given by points: flat ones need a steeper keel [deg].
+const KEELS_DEG: [f64; 3] = [KEEL_DEG, 20.0, 25.0];
 /// Steps before the flow begins.
 const STEPS_BEFORE: usize = 64;
 /// Share of the speed at contact below which the wedge counts as stopped.

@@ -107,47 +107,8 @@ impl Face {
     /// A polygon through `corners` from the keel to the chine [m], whose knuckles are rounded (THEORY EN39).
     pub fn polygon(corners: &[[f64; 2]]) -> Face {
         let points: Vec<c64> = corners.iter().map(|[x, y]| c64::new(x - corners[0][0], y - corners[0][1])).collect();
-        let sides: Vec<c64> = points.windows(2).map(|ends| ends[1] - ends[0]).collect();
-        let mut at = 0.0;
-        let ends: Vec<f64> = sides
-            .iter()
-            .map(|side| {
-                at += side.norm();
-                at
-            })
-            .collect();
-        let rounded = |k: usize| {
-            let half_turn = 0.5 * (sides[k + 1] / sides[k]).arg();
-            let shortest = sides[k].norm().min(sides[k + 1].norm());
-            let straight = (ROUNDED * ends[k]).min(0.5 * shortest);
-            [straight, half_turn.tan() / straight]
-        };
-        let (mut pieces, mut at, mut taken): (Vec<Piece>, f64, f64) = (Vec::new(), 0.0, 0.0);
-        for (k, side) in sides.iter().enumerate() {
-            let (long, direction) = (side.norm(), side / side.norm());
-            let next = if k + 1 < sides.len() { rounded(k) } else { [0.0, 0.0] };
-            let line = Piece {
-                at,
-                from: points[k] + direction * taken,
-                direction,
-                angle: direction.arg(),
-                curvature: 0.0,
-                length: (long - taken - next[0]).max(0.0),
-                round: false,
-            };
-            at += line.length;
-            pieces.push(line);
-            let [straight, curvature] = next;
-            if straight > 0.0 {
-                let from = points[k + 1] - direction * straight;
-                let length =
-                    if curvature == 0.0 { 2.0 * straight } else { 2.0 * (curvature * straight).atan() / curvature };
-                pieces.push(Piece { at, from, direction, angle: direction.arg(), curvature, length, round: false });
-                at += length;
-            }
-            taken = straight;
-        }
-        Face { pieces, draught: 0.0, left_at: f64::INFINITY, added: None }
+        let line = points.windows(2).map(|ends| Piece::straight(ends[0], ends[1])).collect();
+        Face { pieces: rounded(&placed(line)), draught: 0.0, left_at: f64::INFINITY, added: None }
     }
 
     fn of(direction: c64, curvature: f64, length: f64) -> Face {

@@ -31,7 +31,7 @@ pub use solution::FlowLoad;
 pub use state::EntryFlow;
 
 use elements::{Sizes, arc_length};
-use entry::{BEGIN, LATEST};
+use entry::{BEGIN, KEEL_DEG, LATEST};
 use face::Face;
 use lower_side::LowerSide;
 use solution::{Solution, Solved, SymmetricSolution};
@@ -46,10 +46,6 @@ use super::similarity::SimilarityFlow;
 const DRAUGHT_GROWTH: f64 = 0.03;
 /// Distance to which the free surface reaches, over half the wetted breadth, at the start.
 const FAR: f64 = 240.0;
-/// Angle of the keel that is added to a round bottom [deg].
-const KEEL_DEG: f64 = 15.0;
-/// Those that are tried one after the other under a bottom given by points: flat ones need a steeper keel [deg].
-const KEELS_DEG: [f64; 3] = [KEEL_DEG, 20.0, 25.0];
 /// Half width of the first flow about a round bottom, over that of its keel [-].
 const FIRST_WIDTH: f64 = 0.8;
 /// Length beyond the chine at which the jet's end leaves it, over the finest element.
