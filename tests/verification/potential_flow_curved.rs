@@ -54,9 +54,9 @@ fn forces_do_not_depend_on_the_number_of_points() {
     let flat = |t: f64| [t.sin(), -0.6 * t.cos()];
     let sharp = |t: f64| [t.sin(), -1.8 * t.cos()];
     let ovoid = |t: f64| [t.sin() * (1.0 - 0.25 * t.cos()), -1.3 * t.cos()];
-    let shapes: [(&str, &dyn Fn(f64) -> [f64; 2]); 3] = [("flat", &flat), ("sharp", &sharp), ("ovoid", &ovoid)];
-    for (name, at) in shapes {
-        let [coarse, fine] = [41, 160].map(|points| loads(&outline(at, points), 0.03, 0.5));
+    let of = |points: usize| [outline(flat, points), outline(sharp, points), outline(ovoid, points)];
+    for ((name, coarse), fine) in ["flat", "sharp", "ovoid"].into_iter().zip(of(41)).zip(of(160)) {
+        let [coarse, fine] = [coarse, fine].map(|section| loads(&section, 0.03, 0.5));
         for [from, to] in [[0.04, 0.08], [0.08, 0.16], [0.16, 0.3], [0.3, 0.48]] {
             let error = mean(&coarse, from, to) / mean(&fine, from, to) - 1.0;
             assert!(error.abs() < 0.02, "{name}, from {from} m: {error:+.4}");
