@@ -19,7 +19,7 @@ fn bent(faces: &[[f64; 2]]) -> Section {
 }
 
 /// Draught, force and added mass, step by step, at constant speed without gravity.
-fn loads(section: &Section, from: f64, to: f64, speed: f64) -> Vec<[f64; 3]> {
+pub fn loads(section: &Section, from: f64, to: f64, speed: f64) -> Vec<[f64; 3]> {
     let mut flow = EntryFlow::new(section, from, speed, 0.0).expect("in range");
     let mut loads = Vec::new();
     while flow.draught() < to {

@@ -2,18 +2,11 @@
 
 use std::f64::consts::TAU;
 
-use water_entry::{EntryFlow, Section};
+use water_entry::Section;
 
 /// Draught, force and added mass, step by step, at 1 m/s without gravity.
 fn loads(section: &Section, from: f64, to: f64) -> Vec<[f64; 3]> {
-    let mut flow = EntryFlow::new(section, from, 1.0, 0.0).expect("in range");
-    let mut loads = Vec::new();
-    while flow.draught() < to {
-        let draught = flow.draught();
-        let (_, load) = flow.step(|_| 0.0).expect("a step");
-        loads.push([draught, load.force, load.added_mass]);
-    }
-    loads
+    super::potential_flow_bent::loads(section, from, to, 1.0)
 }
 
 /// Mean force between two draughts.

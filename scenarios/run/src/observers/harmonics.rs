@@ -209,6 +209,14 @@ mod tests {
         assert_eq!(harmonics(&curve(of), omega, 20.0, 1, 0.0, true), None);
     }
 
+    /// A mean that is 0 in the first four periods and 1 in the last four is not known to better than 1.
+    #[test]
+    fn a_slow_swing_is_within_the_interval_of_the_mean() {
+        let of = |t: f64| if t < 16.0 { 0.0 } else { 1.0 };
+        let found = harmonics(&curve(of), TAU, 20.0, 8, 0.0, false).expect("periods");
+        assert!(found.mean_plus_minus > 0.99, "{found:?}");
+    }
+
     /// A drift is no harmonic.
     #[test]
     fn a_drift_is_no_harmonic() {

@@ -96,8 +96,8 @@ fn coarse_curve(body: &Body) -> Option<String> {
     let Shape::Polygon { points } = &body.shape else { return None };
     let fine = refined(points).filter(|fine| body.bends() && fine.len() >= 2 * points.len())?;
     Some(format!(
-        "{} points of body.points stand for a curve, and the water meets them as corners, because panels lie on the sides between them; \
-         forces under 40 corners were up to 13 % above those under the curve: {} points would do",
+        "{} points of body.points stand for a curve, and the water meets them as corners, because panels lie on the sides between them: \
+         forces under a few corners are above those under the curve; {} points would do",
         points.len(),
         fine.len()
     ))
