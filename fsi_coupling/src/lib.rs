@@ -76,6 +76,7 @@ pub use bodies::rigid_spec::RigidSpec;
 pub use bodies::sprung::{SprungSpec, SprungState};
 pub use bodies::state::{ContactImpulse, Energy, Momentum, Motion, Solid, SurfacePoint};
 pub use bodies::tank::Tank;
+pub use coupling::bending_entry::{BendingEntry, BendingEntryError, BottomPressure};
 pub use coupling::coupled::{Coupled, RefinementRule};
 pub use coupling::error::CouplingError;
 pub use coupling::links::joint::{JointKind, JointSpec, JointState};

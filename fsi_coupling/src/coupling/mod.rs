@@ -2,6 +2,7 @@
 //! audits, and rules for the force on a body ([`force_rules`]).
 
 mod balance;
+pub mod bending_entry;
 #[cfg(test)]
 mod column_tests;
 mod contact;

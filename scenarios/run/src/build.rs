@@ -15,7 +15,7 @@ use crate::initial_fluid::initial_fluid;
 pub fn build(scene: &Scene) -> Result<Coupled, CouplingError> {
     let rows = rows(scene);
     let bodies: Result<_, CouplingError> =
-        scene.all_bodies().map(|body| rigid_or_prescribed(scene, body, &rows)).collect();
+        scene.all_bodies().map(|body| of_scene(scene, body, &rows)).collect();
     let system = build_around(scene, bodies?)?;
     let last = scene.all_bodies().count();
     let index = |name: &str| scene.all_bodies().position(|body| body.name == name).unwrap_or(last);
@@ -130,7 +130,8 @@ fn standing(scene: &Scene, body: &scene::Body, rows: &WallRows) -> Option<Plate>
     (roots != [0.0; 2] && is_thin(body, rows)).then(|| Plate { roots, ..Plate::new(&middle, *thickness) })
 }
 
-fn rigid_or_prescribed(scene: &Scene, body: &scene::Body, rows: &WallRows) -> Result<Box<dyn Body>, CouplingError> {
+/// A scene's body as it stands at the start.
+pub(crate) fn of_scene(scene: &Scene, body: &scene::Body, rows: &WallRows) -> Result<Box<dyn Body>, CouplingError> {
     let half = scene.symmetry == Symmetry::X;
     let outline = Outline::of(&body.shape)?.rooted(roots(scene, body, rows));
     let (start, clock) = (scene.motion_at_start(body), scene.time.start);

@@ -4,6 +4,7 @@ use faer::c64;
 
 use super::super::curve::{Piece, arcs, placed};
 use super::super::section::Section;
+use super::deflection::Deflection;
 use super::elements::GROWTH;
 
 /// Places at which the angle of the bottom is read for the thickness of the jet.
@@ -16,6 +17,9 @@ const ON_KNUCKLE: f64 = 6.0;
 const SMOOTH: f64 = 1e-6;
 /// Turn of a rounded knuckle from which elements on it are smaller [rad].
 const SHARP: f64 = 3.0 * std::f64::consts::PI / 180.0;
+/// Repetitions of the search for the nearest place of a bent bottom.
+const UNBENT: usize = 3;
+
 /// A bottom at rest in its own axes, whose keel is at −i draught.
 #[derive(Clone, Debug)]
 pub(super) struct Face {
@@ -26,6 +30,8 @@ pub(super) struct Face {
     left_at: f64,
     /// What the keel adds to a round bottom.
     added: Option<Added>,
+    /// How it is bent; `None` for a rigid one.
+    bent: Option<Box<Deflection>>,
 }
 
 /// A keel that was added to a round bottom.
@@ -76,7 +82,7 @@ impl Face {
         };
         let to = Rounded::Arc { area: 0.5 * radius * radius * (keel.tan() - keel), radius };
         let added = Added { to, least: radius * keel.sin() };
-        Face { pieces: vec![tangent.pieces[0], arc], draught: 0.0, left_at: f64::INFINITY, added: Some(added) }
+        Face { pieces: vec![tangent.pieces[0], arc], draught: 0.0, left_at: f64::INFINITY, added: Some(added), bent: None }
     }
 
     /// A bottom with curves, whose knuckles are rounded (THEORY EN39), as far as the flow follows it; the lowest part of a round one is replaced by
@@ -96,7 +102,7 @@ impl Face {
             let with = section.with_keel(touched.re, keel.tan());
             added = Some(Added { to: Rounded::Curve(Box::new([section.clone(), with])), least: touched.re });
         }
-        Face { pieces: rounded(&placed(line)), draught: 0.0, left_at: f64::INFINITY, added }
+        Face { pieces: rounded(&placed(line)), draught: 0.0, left_at: f64::INFINITY, added, bent: None }
     }
 
     /// Half width of the keel that was added [m]; 0 without one.
@@ -108,7 +114,7 @@ impl Face {
     pub fn polygon(corners: &[[f64; 2]]) -> Face {
         let points: Vec<c64> = corners.iter().map(|[x, y]| c64::new(x - corners[0][0], y - corners[0][1])).collect();
         let line = points.windows(2).map(|ends| Piece::straight(ends[0], ends[1])).collect();
-        Face { pieces: rounded(&placed(line)), draught: 0.0, left_at: f64::INFINITY, added: None }
+        Face { pieces: rounded(&placed(line)), draught: 0.0, left_at: f64::INFINITY, added: None, bent: None }
     }
 
     fn of(direction: c64, curvature: f64, length: f64) -> Face {
@@ -125,6 +131,7 @@ impl Face {
             draught: 0.0,
             left_at: f64::INFINITY,
             added: None,
+            bent: None,
         }
     }
 
@@ -142,6 +149,27 @@ impl Face {
     /// The same bottom with its keel at another draught [m].
     pub fn at_draught(&self, draught: f64) -> Face {
         Face { draught, ..self.clone() }
+    }
+
+    /// The same bottom, bent.
+    pub fn bent(&self, deflection: Deflection) -> Face {
+        Face { bent: Some(Box::new(deflection)), ..self.clone() }
+    }
+
+    /// Velocity of a bent bottom against its rigid line at a distance from the keel [m/s].
+    pub fn velocity(&self, along: f64) -> c64 {
+        self.bent.as_ref().map_or(c64::ZERO, |bent| bent.velocity.sample(along.min(self.whole_length()))[0])
+    }
+
+    /// Is it bent?
+    pub fn is_bent(&self) -> bool {
+        self.bent.is_some()
+    }
+
+    /// Displacement of a bent bottom [m], and its slope.
+    fn displaced(&self, along: f64) -> [c64; 2] {
+        let sampled = |bent: &Deflection| bent.displacement.sample(along.min(self.whole_length()));
+        self.bent.as_ref().map_or([c64::ZERO; 2], |bent| sampled(bent))
     }
 
     fn last(&self) -> &Piece {
@@ -166,11 +194,23 @@ impl Face {
     /// Angle of the bottom at a distance from the keel [rad].
     fn angle(&self, along: f64) -> f64 {
         let piece = self.piece(along);
-        piece.angle + piece.curvature * (along - piece.at).min(piece.length)
+        let rigid = piece.angle + piece.curvature * (along - piece.at).min(piece.length);
+        if self.is_bent() { self.place(along).tangent.arg() } else { rigid }
     }
 
     /// The place at a distance from the keel [m].
     pub fn place(&self, along: f64) -> Place {
+        let rigid = self.rigid_place(along);
+        if !self.is_bent() {
+            return rigid;
+        }
+        let ([displaced, slope], beyond) = (self.displaced(along), (along - self.whole_length()).max(0.0));
+        let tangent = (rigid.tangent + slope) / (rigid.tangent + slope).norm();
+        Place { along, z: rigid.z + displaced + (tangent - rigid.tangent) * beyond, tangent }
+    }
+
+    /// The same of the bottom as if it were not bent.
+    pub fn rigid_place(&self, along: f64) -> Place {
         let piece = self.piece(along);
         let s = along - piece.at;
         let [z, tangent] = piece.at(s.min(piece.length));
@@ -188,17 +228,27 @@ impl Face {
 
     /// The place on the bottom that is nearest to `z`; `beyond`: or on the straight line beyond the chine.
     pub fn nearest(&self, z: c64, beyond: bool) -> Place {
+        if !self.is_bent() {
+            return self.place(self.nearest_of_rigid(z, beyond));
+        }
+        // the place of the rigid line that is nearest to the point without the displacement there
+        let without = |along: f64| z - self.displaced(along)[0];
+        let first = self.nearest_of_rigid(z, beyond);
+        self.place((0..UNBENT).fold(first, |along, _| self.nearest_of_rigid(without(along), beyond)))
+    }
+
+    /// Distance from the keel of the place on the rigid line that is nearest to `z` [m].
+    fn nearest_of_rigid(&self, z: c64, beyond: bool) -> f64 {
         let from_keel = z - self.keel();
-        let end = self.place(self.whole_length());
+        let end = self.rigid_place(self.whole_length());
         let over = if beyond { ((z - end.z) * end.tangent.conj()).re.max(0.0) } else { 0.0 };
         let on_piece = |piece: &Piece| {
             let s = piece.nearest(from_keel);
             [(piece.at(s)[0] - from_keel).norm_sqr(), piece.at + s]
         };
-        let beyond = [(self.place(end.along + over).z - z).norm_sqr(), end.along + over];
+        let beyond = [(self.rigid_place(end.along + over).z - z).norm_sqr(), end.along + over];
         let nearer = |best: [f64; 2], here: [f64; 2]| if here[0] < best[0] { here } else { best };
-        let [_, along] = self.pieces.iter().map(on_piece).chain([beyond]).fold([f64::INFINITY, 0.0], nearer);
-        self.place(along)
+        self.pieces.iter().map(on_piece).chain([beyond]).fold([f64::INFINITY, 0.0], nearer)[1]
     }
 
     /// Size of the elements at a distance from the keel, by the rounded knuckles [m].

@@ -4,8 +4,10 @@
 //! one matrix gives the velocity, the pressure and the added mass. At wet chines, and where a round bottom turns up, the flow separates (Zhao, Faltinsen & Aarsnes 1996).
 
 mod before;
+mod bending;
 mod buffer;
 mod cauchy;
+mod deflection;
 mod elements;
 mod entry;
 mod face;
@@ -23,7 +25,9 @@ use std::f64::consts::FRAC_2_PI;
 
 use faer::c64;
 
+pub use bending::{BendingBottom, BendingStepError, BottomMotion, WaterOnBottom};
 pub(crate) use buffer::Buffer;
+pub use deflection::{AlongBottom, Deflection};
 pub use entry::{FlowEntry, FlowHistory};
 pub(crate) use factorised::Factorised;
 pub use rolled::{RolledEntry, RolledFlow, RolledInstant, RolledLoad};

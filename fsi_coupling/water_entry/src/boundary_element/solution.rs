@@ -59,6 +59,11 @@ pub(super) struct Nodes {
 impl EntryFlow {
     /// EN21 for β and its time derivative, EN23.
     pub(super) fn solve(&self) -> SymmetricSolution {
+        self.solve_keeping_matrix().0
+    }
+
+    /// The same with the factorised matrix of this instant.
+    pub(super) fn solve_keeping_matrix(&self) -> (SymmetricSolution, Contour) {
         let speed = &self.keel_speed();
         let of = self.contour();
         let Nodes { z: nodes, end, foot, contact, along } = &of;
@@ -71,13 +76,15 @@ impl EntryFlow {
         let contour = Contour::new(nodes, (0..n).map(known).collect());
 
         // velocity: φ on the surfaces and along the cut, ψ = V x on the body
-        let psi = (0..n).map(|k| if k < contact { 0.0 } else { speed * nodes[k].re }).collect();
+        let bending = self.face.is_bent().then(|| self.bending(along));
+        let of_bending = |k: usize| bending.as_ref().map_or(0.0, |bending| bending.psi[k - contact]);
+        let psi = (0..n).map(|k| if k < contact { 0.0 } else { speed * nodes[k].re + of_bending(k) }).collect();
         let mut beta = Complex { phi: self.potential(nodes, end, foot), psi };
         contour.solve(&mut beta);
         let [above, below] = self.surface_velocities(&of, &beta);
         let mut on_body = self.face_velocities(along, &beta.phi[contact..]);
         if let Some(keel) = on_body.last_mut() {
-            *keel = c64::new(0.0, -speed); // the body's
+            *keel = self.body_velocity(0.0);
         }
 
         // φ_t: p = 0 on the surfaces and in the cut; ψ_t of the body's motion
@@ -88,7 +95,11 @@ impl EntryFlow {
             _ if k >= foot && !below.is_empty() => phi_t(&below[k - foot], &nodes[k]),
             _ => phi_t(&above[end], &nodes[end]),
         };
-        let psi_t = |k: usize| if k < contact { 0.0 } else { speed * on_body[k - contact].re };
+        let psi_t = |k: usize| match &bending {
+            _ if k < contact => 0.0,
+            None => speed * on_body[k - contact].re,
+            Some(bending) => bending.rate_of_psi(k - contact, on_body[k - contact]),
+        };
         let mut rate = Complex { phi: (0..n).map(rate_at).collect(), psi: (0..n).map(psi_t).collect() };
         contour.solve(&mut rate);
         let x_on_body = |k: usize| if k < contact { 0.0 } else { nodes[k].re };
@@ -102,7 +113,7 @@ impl EntryFlow {
         let mut pressure: Vec<[f64; 3]> = (contact..n).map(pressure_at).collect();
         self.follow_keel_law(along, &mut pressure);
         let load = FlowLoad::of(pressure).with_dry_end();
-        Solved { force: load.force, load, sides: [self.solution(of, beta, [above, below])] }
+        (Solved { force: load.force, load, sides: [self.solution(of, beta, [above, below])] }, contour)
     }
 
     /// φ_t where p = 0 [m²/s²].
@@ -127,7 +138,8 @@ impl EntryFlow {
         let with_water = |(v, z): (&c64, &c64)| v.norm_sqr() + self.rate_on_surface(v, z);
         let mut rate_below: Vec<f64> = below.iter().zip(&nodes[foot..]).map(with_water).collect();
         if let (Some(at_chine), Some(v)) = (rate_below.last_mut(), below.last()) {
-            *at_chine = self.rate_on_surface(v, &self.face.edge()) + (v * self.keel_velocity().conj()).re;
+            let edge = self.body_velocity(self.face.length());
+            *at_chine = self.rate_on_surface(v, &self.face.edge()) + (v * edge.conj()).re;
         }
         let rate_above = above.iter().zip(&nodes).map(with_water).collect();
         let in_axes = |velocity: Vec<c64>| velocity.into_iter().map(|v| v - self.drift).collect();
@@ -166,7 +178,7 @@ impl EntryFlow {
         let EntryFlow { face, surface, underside, .. } = self;
         let across = || {
             let on_face = face.nearest(nodes[end], true);
-            -(self.keel_velocity() * on_face.tangent.conj()).im * (on_face.z - nodes[end]).norm()
+            -(self.body_velocity(on_face.along) * on_face.tangent.conj()).im * (on_face.z - nodes[end]).norm()
         };
         let of_end = surface.phi[end];
         let of_foot = underside.as_ref().map_or_else(|| of_end - across(), |underside| underside.phi[0]);
@@ -216,7 +228,7 @@ impl EntryFlow {
     /// Velocity u + iv [m/s] at a place `along` the face where φ grows by `slope` [m/s] towards the keel.
     fn on_face(&self, along: f64, slope: f64) -> c64 {
         let down = -self.face.place(along).tangent;
-        (c64::new(slope, (self.keel_velocity().conj() * down).im) / down).conj()
+        (c64::new(slope, (self.body_velocity(along).conj() * down).im) / down).conj()
     }
 }
 

@@ -59,6 +59,11 @@ impl EntryFlow {
         c64::new(self.drift, -self.keel_speed())
     }
 
+    /// Velocity of the bottom at a distance from the keel [m/s].
+    pub(super) fn body_velocity(&self, along: f64) -> c64 {
+        self.keel_velocity() + self.face.velocity(along)
+    }
+
     /// Half breadth between the ends of the jets [m].
     pub fn half_width(&self) -> f64 {
         self.lower_side().nearest(self.surface.end()).foot.re

@@ -82,12 +82,12 @@ impl EntryFlow {
 
     /// Is enough known of the past for a step without a solution in its middle? Next to a wet chine it is not: such steps would have to be half as
     /// long.
-    fn has_past(&self) -> bool {
+    pub(super) fn has_past(&self) -> bool {
         self.past.len() + 1 == INSTANTS && self.underside.is_none()
     }
 
     /// Moved over `dt` by Adams and Bashforth's rule; `now` is the flow and `rate` the downward acceleration at this instant.
-    fn extrapolated(&self, now: &Solution, rate: f64, dt: f64) -> EntryFlow {
+    pub(super) fn extrapolated(&self, now: &Solution, rate: f64, dt: f64) -> EntryFlow {
         let ago = [self.past[0].ago, self.past[1].ago];
         let weights = weights(dt, ago);
         let motion = self.motion(rate, 0.0);
@@ -116,7 +116,7 @@ impl EntryFlow {
     }
 
     /// With what it comes from after `dt`: a flow whose nodes are those of this one.
-    fn after(mut self, before: &EntryFlow, flow: &Solution, rate: f64, dt: f64) -> EntryFlow {
+    pub(super) fn after(mut self, before: &EntryFlow, flow: &Solution, rate: f64, dt: f64) -> EntryFlow {
         let older = before.past.iter().map(|past| Past { ago: past.ago + dt, ..*past });
         self.past = std::iter::once(before.motion(rate, dt)).chain(older).take(INSTANTS - 1).collect();
         self.surface.store_past(&before.surface, &flow.above);
@@ -163,7 +163,7 @@ impl EntryFlow {
     }
 
     /// Is a step [s] so short that the surface is breaking up?
-    fn is_too_short(&self, dt: f64) -> bool {
+    pub(super) fn is_too_short(&self, dt: f64) -> bool {
         dt * self.keel_speed().abs() < LEAST_GROWTH * self.face.draught
     }
 
@@ -173,7 +173,7 @@ impl EntryFlow {
     }
 
     /// Longest step of Adams and Bashforth's rule [s].
-    fn extrapolated_dt(&self, now: &Solution) -> f64 {
+    pub(super) fn extrapolated_dt(&self, now: &Solution) -> f64 {
         self.longest_dt(now, self.sizes.courant_at(self.face.place(0.0).tangent.arg()))
     }
 
@@ -206,7 +206,7 @@ impl EntryFlow {
 
 impl FreeSurface {
     /// Moved with `weights` times the flow now and those of its past.
-    fn extrapolated(&self, now: &SurfaceFlow, weights: &[f64; INSTANTS]) -> FreeSurface {
+    pub(super) fn extrapolated(&self, now: &SurfaceFlow, weights: &[f64; INSTANTS]) -> FreeSurface {
         let first = self.moved(&now.velocity, &now.rate, weights[0]);
         self.past.iter().zip(&weights[1..]).fold(first, |moved, (past, weight)| past.moves(&moved, *weight))
     }

@@ -15,6 +15,7 @@
 //! ```
 
 mod assess;
+mod bending_flow;
 mod choose;
 mod elastic_wedge;
 mod measured;

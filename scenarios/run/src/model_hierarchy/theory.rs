@@ -8,6 +8,7 @@ use water_entry::{
     Entry, EntryModel, FlowEntry, FlowHistory, Instant, Loads, OutOfRange, RolledInstant, Section, SectionMotion,
 };
 
+use super::bending_flow::BendingFlow;
 use super::elastic_wedge::Faces;
 use super::rolled;
 use crate::observers::body_values;
@@ -41,6 +42,8 @@ enum Source {
     Faces(Loads, Box<Faces>),
     /// A flow that was followed.
     Flow(FlowHistory),
+    /// A flow that was followed about a bottom that bends.
+    Bending(Box<BendingFlow>),
     /// The flow about a rolled wedge, at every sample.
     Rolled(Vec<RolledInstant>),
 }
@@ -169,6 +172,7 @@ impl Theory {
         let Instant { time, draught, speed, rate, .. } = self.instants[k];
         match &self.source {
             Source::Flow(history) => Some(history.pressure(time, x)),
+            Source::Bending(flow) => Some(flow.pressure(time, x)),
             Source::Rolled(steps) => {
                 let along = x.abs() * (1.0 + self.section.slope(0.0).powi(2)).sqrt();
                 Some(steps[k].pressure_at(usize::from(x > 0.0), along))
@@ -194,7 +198,12 @@ impl Theory {
 
     /// True if its faces are elastic.
     pub fn bends(&self) -> bool {
-        matches!(self.source, Source::Faces(..))
+        matches!(self.source, Source::Faces(..) | Source::Bending(..))
+    }
+
+    /// The flow about a bottom that bends.
+    pub(super) fn bending_flow(&self) -> Option<&BendingFlow> {
+        if let Source::Bending(flow) = &self.source { Some(flow) } else { None }
     }
 
     /// Motion of the body and the force on it, at every sample.
@@ -229,6 +238,7 @@ impl Theory {
             };
             let rest = match &self.source {
                 Source::Faces(_, faces) => faces.values(now.time),
+                Source::Bending(flow) => flow.columns(now.time).into_iter().chain(scene.gauges.iter().map(gauge)).collect(),
                 Source::Loads(_) | Source::Flow(_) | Source::Rolled(_) => scene.gauges.iter().map(gauge).collect(),
             };
             std::iter::once(now.time).chain(body_values(motion).map(|(_, value)| value)).chain(rest).collect()
@@ -281,7 +291,7 @@ impl Theory {
     }
 }
 
-/// The same scene with elastic faces: by Wagner's load on a modal beam.
+/// The same scene with a bottom that bends: by boundary elements, or by Wagner's load on a modal beam.
 fn bending(
     scene: &Scene,
     model: EntryModel,
@@ -289,15 +299,21 @@ fn bending(
     section: Section,
 ) -> Result<(Theory, Option<OutOfRange>), OutOfRange> {
     model.covers(&section, 0.0)?;
+    let times = sample_times(scene);
+    if model == EntryModel::BoundaryElement {
+        let (flow, end) = BendingFlow::of(scene, body, &section)?;
+        let instants = flow.instants(&times);
+        let source = Source::Bending(Box::new(flow));
+        return Ok((Theory { model, section, instants, density: scene.water().density, gravity: 0.0, source }, end));
+    }
     if model != EntryModel::Wagner {
         return Err(OutOfRange {
             what: "panels that bend".into(),
             range: "rigid bodies".into(),
-            next: if model < EntryModel::Wagner { EntryModel::Wagner } else { EntryModel::Wcsph },
+            next: if model < EntryModel::Wagner { EntryModel::Wagner } else { EntryModel::BoundaryElement },
         });
     }
     let (loads, faces) = (Loads::new(model, &section)?, Faces::of(scene, body)?);
-    let times = sample_times(scene);
     let instants = faces.instants(&times);
     let end = times.get(instants.len()).map(|time| refuse(&format!("from t = {} s on wet chines", significant(*time))));
     let source = Source::Faces(loads, Box::new(faces));

@@ -55,6 +55,7 @@ pub(crate) fn run(
     let (comparison, not_compared) = compare::against_all(scene, &references, &series, similarity.as_ref());
     let bars = error_bars(scene, body, &theory, &series);
     let end = theory.instants.last().map_or(0.0, |i| i.time);
+    let panels = theory.bending_flow().map(|flow| flow.panels.clone()).unwrap_or_default();
     let peak = |(name, value, time_s): (&str, f64, f64)| (name.to_string(), Peak { value, time_s, verdict: None });
     let summary = Summary {
         scene: scene.name.clone(),
@@ -76,6 +77,7 @@ pub(crate) fn run(
         means: series.means(0.8 * end).map(|(name, mean)| (name.to_string(), mean)).collect(),
         results: results(body, &detailed(scene)?.unwrap_or(theory), &bars, scene.report.bandwidth),
         error_bars: bars,
+        panels,
         similarity,
         comparison,
         not_compared,

@@ -29,6 +29,7 @@ use sph_core::particles::totals::Totals;
 use crate::log::LogError;
 
 pub use columns::{Water, body_values, columns};
+pub(crate) use columns::{modal_values, panel_values};
 pub use force_rules::{ForceRules, RuleResult};
 pub use gauge_record::GaugeResult;
 pub use gauges::GaugeReader;

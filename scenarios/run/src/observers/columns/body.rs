@@ -56,7 +56,7 @@ pub fn body_values(motion: &Motion) -> [(&'static str, f64); BODY.len()] {
 }
 
 /// Values of a panel's columns, in the order of [`scene::Panel::columns`].
-pub(in crate::observers) fn panel_values(panel: &PanelState) -> Vec<f64> {
+pub(crate) fn panel_values(panel: &PanelState) -> Vec<f64> {
     let watched = panel
         .watched
         .iter()
@@ -65,7 +65,7 @@ pub(in crate::observers) fn panel_values(panel: &PanelState) -> Vec<f64> {
 }
 
 /// Values of the columns of a structure by its modes, in the order of [`scene::Modes::columns`].
-pub(in crate::observers) fn modal_values(modes: &ModesState) -> Vec<f64> {
+pub(crate) fn modal_values(modes: &ModesState) -> Vec<f64> {
     let displacement = modes.displacement.iter().map(|[u, v]| u.hypot(*v)).fold(0.0, f64::max);
     let stress = (!modes.stress.is_empty()).then(|| modes.largest_stress());
     modes.amplitude.iter().copied().chain([displacement]).chain(stress).collect()

@@ -13,7 +13,7 @@ use super::gauges;
 use super::source::Source;
 
 pub use body::body_values;
-pub(super) use body::{modal_values, panel_values};
+pub(crate) use body::{modal_values, panel_values};
 pub(super) use volume::VOLUME;
 pub use volume::Water;
 
