@@ -3,8 +3,7 @@
 use faer::c64;
 use sph_core::{WallForces, WallsMut};
 use water_entry::{
-    AlongBottom, BendingBottom, BendingStepError, BottomMotion, Deflection, EntryFlow, OutOfRange, Section,
-    WaterOnBottom,
+    AlongBottom, BendingBottom, BendingStepError, BottomMotion, Deflection, EntryFlow, Section, WaterOnBottom,
 };
 
 use crate::bodies::body::Body;
@@ -14,12 +13,6 @@ use crate::geometry::rows::WallRows;
 
 /// Boundary particles on half the breadth of the bottom.
 const PARTICLES: f64 = 100.0;
-/// Draught at which the flow about a wedge begins, over that at which its chines are wet [-].
-const BEGIN: f64 = 0.03;
-/// The same over V²/g: the similar flow, from which it begins, has no gravity.
-const BEGIN_UNDER_GRAVITY: f64 = 0.02;
-/// Steps in air and until the flow begins.
-const STEPS_BEFORE: usize = 64;
 /// Residual of the accelerations at which they fit the water's load, over what that causes [-].
 const TOLERANCE: f64 = 1e-6;
 /// Largest number of iterations per step.
@@ -28,9 +21,6 @@ const MOST_ITERATIONS: usize = 60;
 /// Why the entry cannot be followed further.
 #[derive(Debug, thiserror::Error)]
 pub enum BendingEntryError {
-    /// A section or a start outside the range of boundary elements.
-    #[error("{}, for {}", .0.what, .0.range)]
-    OutOfRange(OutOfRange),
     /// The flow or the structure.
     #[error(transparent)]
     Step(#[from] BendingStepError<BodyError>),
@@ -44,10 +34,8 @@ pub enum BendingEntryError {
 
 /// Half of a symmetric body that bends, and the water about it.
 pub struct BendingEntry {
-    flow: Option<EntryFlow>,
+    flow: EntryFlow,
     bottom: Bottom,
-    section: Section,
-    gravity: f64,
 }
 
 /// The body with its boundary particles on the bottom, from the keel outwards.
@@ -82,43 +70,40 @@ pub struct BottomPressure {
 }
 
 impl BendingEntry {
-    /// A body that is symmetric about x = 0 and simulated by half, with its bottom's `section`, the draught of its keel at the start [m],
-    /// the density of the water [kg/m³] and gravity [m/s²].
+    /// A body that is symmetric about x = 0 and simulated by half, where a flow about its bottom's `section` begins
+    /// ([`EntryFlow::before_bending`]): at its draught and speed, in water of a density [kg/m³].
     ///
     /// # Errors
-    /// A section outside the range of boundary elements; a body that cannot be sampled.
+    /// A body that cannot be sampled.
     pub fn new(
         mut body: Box<dyn Body>,
-        section: Section,
-        draught: f64,
+        section: &Section,
+        flow: EntryFlow,
         density: f64,
-        gravity: f64,
-    ) -> Result<BendingEntry, BendingEntryError> {
-        let first = EntryFlow::new(&section, BEGIN * section.wagner_draught(section.followed_half_breadth()), 1.0, 0.0)
-            .map_err(BendingEntryError::OutOfRange)?;
-        let half_breadth = first.bottom_half_breadth();
+    ) -> Result<BendingEntry, BodyError> {
+        let half_breadth = flow.bottom_half_breadth();
         let points = body.sample(&WallRows::filled(half_breadth / PARTICLES, 1))?;
         let motion = body.motion().unwrap_or_default();
-        let keel = -draught;
+        let keel = -flow.draught();
         let is_on_bottom = |at: [f64; 2], normal: [f64; 2], depth: f64| {
             let foot = [0, 1].map(|k| at[k] + depth * normal[k]);
             let off = (foot[1] - keel - section.height(foot[0])).abs();
             let below = normal[1] < 0.0 && foot[0] > 0.0 && foot[0] <= half_breadth;
-            (below && off < 0.02 * half_breadth).then(|| first.along_bottom(foot[0]))
+            (below && off < 0.02 * half_breadth).then(|| flow.along_bottom(foot[0]))
         };
         let on_bottom = |(k, p): (usize, &sph_core::WallPoint)| Some((k, is_on_bottom(p.at, p.normal, p.depth)?));
         let mut particles: Vec<(usize, f64)> = points.iter().enumerate().filter_map(on_bottom).collect();
         particles.sort_by(|a, b| a.1.total_cmp(&b.1));
         let along: Vec<f64> = particles.iter().map(|particle| particle.1).collect();
         let between = along.windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));
-        let cells = std::iter::once(0.0).chain(between).chain([first.along_bottom(half_breadth)]).collect();
+        let cells = std::iter::once(0.0).chain(between).chain([flow.along_bottom(half_breadth)]).collect();
         let bottom = Bottom {
             count: points.len(),
             particles,
             cells,
             rest: points.iter().map(|point| point.at).collect(),
             start: motion.position,
-            draught,
+            draught: flow.draught(),
             density,
             time: 0.0,
             earlier: None,
@@ -127,7 +112,7 @@ impl BendingEntry {
             pressure: BottomPressure::default(),
             body,
         };
-        Ok(BendingEntry { flow: None, bottom, section, gravity })
+        Ok(BendingEntry { flow, bottom })
     }
 
     /// The body.
@@ -147,12 +132,12 @@ impl BendingEntry {
 
     /// Half breadth between the ends of the jets [m].
     pub fn half_width(&self) -> f64 {
-        self.flow.as_ref().map_or(0.0, EntryFlow::half_width)
+        self.flow.half_width()
     }
 
     /// Have the chines become wet?
     pub fn chines_wet(&self) -> bool {
-        self.flow.as_ref().is_some_and(EntryFlow::chines_wet)
+        self.flow.chines_wet()
     }
 
     /// Pressure on the bottom in the last step.
@@ -165,39 +150,14 @@ impl BendingEntry {
         self.bottom.iterations
     }
 
-    /// Time until the flow begins at the present speed [s], and the draught at which it does [m].
-    fn begin(&self) -> [f64; 2] {
-        let now = self.bottom.motion(0.0);
-        let wet = self.section.wagner_draught(self.section.followed_half_breadth());
-        let of_gravity = BEGIN_UNDER_GRAVITY * now.speed * now.speed / self.gravity.max(f64::MIN_POSITIVE);
-        let begin = (BEGIN * wet).min(of_gravity).max(now.draught.min(wet));
-        [(begin - now.draught) / now.speed, begin]
-    }
-
     /// One step of body and water, to the time `until` [s] at most. Returns the step [s].
     ///
     /// # Errors
     /// A flow that breaks up, or the structure's.
     pub fn step(&mut self, until: f64) -> Result<f64, BendingEntryError> {
-        let longest = until - self.bottom.time;
-        if let Some(flow) = &mut self.flow {
-            let longest = longest.min(self.bottom.body.stable_dt());
-            let dt = flow.step_with(&mut self.bottom, longest)?;
-            return self.bottom.converged().map(|()| dt);
-        }
-        let [left, begin] = self.begin();
-        let close = 1e-9 * begin / self.bottom.motion(0.0).speed;
-        if left <= close {
-            let BottomMotion { speed, .. } = self.bottom.motion(0.0);
-            let flow = EntryFlow::new(&self.section, begin, speed, self.gravity);
-            self.flow = Some(flow.map_err(BendingEntryError::OutOfRange)?);
-            return self.step(until);
-        }
-        let whole = (begin + self.bottom.draught.abs()) / self.bottom.motion(0.0).speed;
-        let dt = left.min(whole / STEPS_BEFORE as f64).min(longest);
-        self.bottom.body.advance(dt)?;
-        self.bottom.time += dt;
-        Ok(dt)
+        let longest = (until - self.bottom.time).min(self.bottom.body.stable_dt());
+        let dt = self.flow.step_with(&mut self.bottom, longest)?;
+        self.bottom.converged().map(|()| dt)
     }
 }
 

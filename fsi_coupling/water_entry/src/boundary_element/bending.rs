@@ -2,11 +2,21 @@
 
 use faer::c64;
 
+use super::super::model::OutOfRange;
+use super::super::section::Section;
 use super::FlowEnded;
 use super::cauchy::{Complex, Contour};
 use super::deflection::{AlongBottom, Deflection};
+use super::entry::LATEST_UNDER_GRAVITY;
 use super::solution::{Solution, SymmetricSolution};
 use super::state::EntryFlow;
+
+/// Draught at which the flow about a bottom that bends begins, over that at which its chines are wet [-].
+const BEGIN: f64 = 0.08;
+/// Angle of the keel that is added to a round one [deg].
+const KEEL_DEG: f64 = 10.0;
+/// Elements next to the jet, over those about a rigid bottom [-]: stress and deflection change by 0.6 %.
+const JET: f64 = 1.5;
 
 /// The stream function that a bending bottom gives, at the nodes of the face.
 pub(super) struct Bending {
@@ -113,6 +123,20 @@ impl EntryFlow {
             rate[k] = rate[k + 1] + (mean.conj() * (velocity[k] - velocity[k + 1])).im;
         }
         Bending { psi, rate, velocity }
+    }
+
+    /// The flow about a bottom that bends, when it begins: about the rigid one at a downward `speed` [m/s] under a `gravity` [m/s²] in the water; at
+    /// `draught` [m] where that is later.
+    ///
+    /// # Errors
+    /// As [`EntryFlow::new`].
+    pub fn before_bending(section: &Section, draught: f64, speed: f64, gravity: f64) -> Result<EntryFlow, OutOfRange> {
+        let wet = section.wagner_draught(section.followed_half_breadth());
+        let of_gravity = LATEST_UNDER_GRAVITY * speed * speed / gravity.max(f64::MIN_POSITIVE);
+        let first = EntryFlow::first_draught(section, KEEL_DEG).unwrap_or((BEGIN * wet).min(of_gravity));
+        let mut flow = EntryFlow::with_keel(section, first.max(draught), speed, gravity, KEEL_DEG)?;
+        flow.sizes.jet *= JET;
+        Ok(flow)
     }
 
     /// The distance from the keel along the rigid bottom at which it is `x` [m] from the plane of symmetry.

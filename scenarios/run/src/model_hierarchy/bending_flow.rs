@@ -2,15 +2,18 @@
 
 use std::collections::BTreeMap;
 
-use fsi_coupling::{BendingEntry, BendingEntryError, BottomPressure};
+use fsi_coupling::{BendingEntry, BottomPressure};
 use scene::validity::panels::StressPeak;
-use scene::{Body, Scene, Symmetry, rows};
+use scene::{Body, Motion, Scene, Symmetry, rows};
 use settings::significant;
-use water_entry::{EntryModel, Instant, OutOfRange, Section};
+use water_entry::{Entry, EntryFlow, EntryModel, Instant, Loads, OutOfRange, Section, SectionMotion};
 
 use crate::build::of_scene;
 use crate::observers::{modal_values, panel_values};
 use crate::panel::PanelResult;
+
+/// Instants before the flow begins.
+const BEFORE: usize = 200;
 
 /// A body followed step by step.
 #[derive(Clone, Debug)]
@@ -38,50 +41,71 @@ struct Step {
     columns: Vec<f64>,
 }
 
+fn refuse(what: String) -> OutOfRange {
+    OutOfRange {
+        what,
+        range: "panels or modes of a body that is simulated by half (symmetry = \"x\"), on its way down, from dry chines on".into(),
+        next: EntryModel::Wcsph,
+    }
+}
+
 impl BendingFlow {
+    /// Is a scene within its range at the start?
+    ///
+    /// # Errors
+    /// A body that is simulated whole.
+    pub fn check(scene: &Scene) -> Result<(), OutOfRange> {
+        match scene.symmetry {
+            Symmetry::X => Ok(()),
+            _ => Err(refuse("a body that is simulated whole".into())),
+        }
+    }
+
     /// Follow the body of a scene by half; also why it was not followed to the end.
     pub fn of(scene: &Scene, body: &Body, section: &Section) -> Result<(BendingFlow, Option<OutOfRange>), OutOfRange> {
-        let refuse = |what: String| OutOfRange {
-            what,
-            range: "panels or modes of a body that is simulated by half (symmetry = \"x\"), from dry chines on".into(),
-            next: EntryModel::Wcsph,
-        };
-        if scene.symmetry != Symmetry::X {
-            return Err(refuse("a body that is simulated whole".into()));
-        }
-        let built = of_scene(scene, body, &rows(scene)).map_err(|error| refuse(error.to_string()))?;
-        let (draught, gravity) = (body.draught(), -scene.gravity[1]);
-        let entry = BendingEntry::new(built, section.clone(), draught, scene.water().density, gravity);
-        let mut entry = entry.map_err(|error| match error {
-            BendingEntryError::OutOfRange(out) => out,
-            error => refuse(error.to_string()),
-        })?;
+        BendingFlow::check(scene)?;
+        let (density, gravity) = (scene.water().density, -scene.gravity[1]);
+        let wrong = |error: &dyn std::fmt::Display| refuse(error.to_string());
+        let whole = of_scene(scene, body, &rows(scene)).map_err(|error| wrong(&error))?;
+        let columns = columns_of(&*whole).len();
+        // rigid, by the modified Logvinovich model, until the flow begins
+        let before = Before::of(scene, body, section, &*whole)?;
+        let Before { start, draught, speed, .. } = before;
+        let flow = EntryFlow::before_bending(section, draught, speed, gravity)?;
+        let mut lowered = body.clone();
+        lowered.position[1] -= flow.draught() - body.draught();
+        lowered.velocity[1] = -speed;
+        let built = of_scene(scene, &lowered, &rows(scene)).map_err(|error| wrong(&error))?;
+        let mut entry = BendingEntry::new(built, section, flow, density).map_err(|error| wrong(&error))?;
         let mut found = BendingFlow {
-            steps: vec![Step::of(&entry)],
-            forces: Vec::new(),
+            steps: before.instants.iter().map(|now| Step::rigid(now, columns)).collect(),
+            forces: before.instants.iter().map(|now| [now.time, now.force]).collect(),
             pressures: Vec::new(),
             panels: BTreeMap::new(),
             stresses: Vec::new(),
         };
+        found.steps.push(Step::of(&entry, start));
         let mut over = None;
-        while entry.time() < scene.time.end * (1.0 - 1e-12) {
-            let before = entry.time();
-            let stepped = entry.step(scene.time.end);
+        let end = scene.time.end - start;
+        while entry.time() < end * (1.0 - 1e-12) {
+            let before = entry.time() + start;
+            let stepped = entry.step(end);
             if let Err(error) = stepped {
                 let at = format!("one of which, from t = {} s on, {error}", significant(before));
                 over = Some(refuse(at));
                 break;
             }
-            let step = Step::of(&entry);
+            let step = Step::of(&entry, start);
             let force = entry.body().motion().map_or(0.0, |motion| motion.force[1]);
             found.forces.push([0.5 * (before + step.time), force]);
             if !entry.pressure().places.is_empty() {
-                found.pressures.push(entry.pressure().clone());
+                let BottomPressure { time, places } = entry.pressure().clone();
+                found.pressures.push(BottomPressure { time: time + start, places });
             }
             let risen = step.speed <= 0.0;
             found.steps.push(step);
             if risen {
-                over = Some(refuse(format!("one that leaves the water from t = {} s on", significant(entry.time()))));
+                over = Some(refuse(format!("one that leaves the water from t = {} s on", significant(entry.time() + start))));
                 break;
             }
         }
@@ -153,18 +177,68 @@ impl BendingFlow {
 }
 
 impl Step {
-    fn of(entry: &BendingEntry) -> Step {
+    /// Before the flow begins, with a number of columns.
+    fn rigid(now: &Instant, columns: usize) -> Step {
+        let &Instant { time, draught, speed, rate, wetted, .. } = now;
+        Step { time, draught, speed, rate, wetted, columns: vec![0.0; columns] }
+    }
+
+    /// In a flow that began at `start` [s].
+    fn of(entry: &BendingEntry, start: f64) -> Step {
         let motion = entry.body().motion().unwrap_or_default();
-        let (panels, modes) = (entry.body().panels(), entry.body().modes());
-        let columns = panels.iter().flat_map(panel_values).chain(modes.iter().flat_map(modal_values));
         Step {
-            time: entry.time(),
+            time: entry.time() + start,
             draught: entry.draught(),
             speed: -motion.velocity[1],
             rate: -motion.acceleration[1],
             wetted: entry.half_width(),
-            columns: columns.collect(),
+            columns: columns_of(entry.body()),
         }
+    }
+}
+
+/// Values of the columns of a body's panels and modes.
+fn columns_of(body: &dyn fsi_coupling::Body) -> Vec<f64> {
+    let (panels, modes) = (body.panels(), body.modes());
+    panels.iter().flat_map(panel_values).chain(modes.iter().flat_map(modal_values)).collect()
+}
+
+/// The body before the flow about it begins.
+struct Before {
+    instants: Vec<Instant>,
+    /// When the flow begins [s]; draught [m] and downward speed [m/s] then.
+    start: f64,
+    draught: f64,
+    speed: f64,
+}
+
+impl Before {
+    /// Of a scene's body, as it stands at the start.
+    fn of(scene: &Scene, body: &Body, section: &Section, whole: &dyn fsi_coupling::Body) -> Result<Before, OutOfRange> {
+        let (draught, speed, gravity, density) =
+            (body.draught(), -body.velocity[1], -scene.gravity[1], scene.water().density);
+        let falls = matches!(body.motion, Motion::Free(_));
+        let mass = whole.momentum().momentum[1] / -speed;
+        let motion = if falls { SectionMotion::Free(mass) } else { SectionMotion::Constant };
+        let g = if falls { gravity } else { 0.0 };
+        let fallen = (-draught).max(0.0);
+        let at_contact = (speed * speed + 2.0 * g * fallen).sqrt();
+        let begin = EntryFlow::before_bending(section, draught.max(0.0), at_contact, gravity)?.draught();
+        let loads = Loads::new(EntryModel::Mlm, &section.convex())?;
+        let entry = Entry { loads: &loads, motion, draught, speed, gravity, density, buoyancy: true, steep: true };
+        // twice the time that it would take at the speed of the start or of the contact
+        let longest = 2.0 * (begin - draught) / speed.max(f64::MIN_POSITIVE);
+        let times: Vec<f64> = (0..=BEFORE).map(|k| longest * k as f64 / BEFORE as f64).collect();
+        let (mut instants, _) = entry.solve_while_in_range(&times);
+        let last = instants.partition_point(|now| now.draught < begin);
+        let Some([a, b]) = last.checked_sub(1).and_then(|k| instants.get(k..k + 2)).map(|pair| [pair[0], pair[1]]) else {
+            let now = Before { instants: Vec::new(), start: 0.0, draught: draught.max(begin), speed };
+            return if draught >= begin { Ok(now) } else { Err(refuse("one that does not get into the water".into())) };
+        };
+        let share = (begin - a.draught) / (b.draught - a.draught);
+        instants.truncate(last);
+        let mix = |a: f64, b: f64| a + share * (b - a);
+        Ok(Before { instants, start: mix(a.time, b.time), draught: begin, speed: mix(a.speed, b.speed) })
     }
 }
 

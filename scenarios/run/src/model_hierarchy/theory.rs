@@ -66,10 +66,10 @@ impl Theory {
         Theory::solved(scene, model, false)
     }
 
-    /// `steep`: a formula is followed where the bottom gets steeper than its range.
+    /// `steep`: a formula is followed where the bottom gets steeper than its range, and about a rigid bottom in place of one that bends.
     fn solved(scene: &Scene, model: EntryModel, steep: bool) -> Result<(Theory, Option<OutOfRange>), OutOfRange> {
         let (body, section, motion) = upright_entry(scene, model)?;
-        if body.bends() {
+        if body.bends() && !steep {
             return bending(scene, model, body, section);
         }
         let (draught, speed, gravity, density) =
@@ -110,7 +110,7 @@ impl Theory {
         }
         let (body, section, motion) = upright_entry(scene, model)?;
         if body.bends() {
-            return bending(scene, model, body, section);
+            BendingFlow::check(scene)?;
         }
         if rolled::rolls(scene, model) {
             rolled::check(scene, body, motion)?;
@@ -140,6 +140,12 @@ impl Theory {
         });
         let end = too_deep.or(too_steep).or(of_formula.map(|end| OutOfRange { next: EntryModel::Wcsph, ..end }));
         Ok((Theory { model, section, ..theory }, end))
+    }
+
+    /// The same at instants `every` [s] of the same flow; `None` for a theory that is solved for its instants.
+    pub(super) fn resampled(&self, end: f64, every: f64) -> Option<Theory> {
+        let Source::Bending(flow) = &self.source else { return None };
+        Some(Theory { instants: flow.instants(&times_every(every, end)), ..self.clone() })
     }
 
     /// Why a flow about a round bottom, of which only the first part is outlined, may not be followed to the end: as fast as at the last
@@ -344,7 +350,10 @@ fn refuse(what: &str) -> OutOfRange {
 
 /// Times of the rows of the series [s].
 fn sample_times(scene: &Scene) -> Vec<f64> {
-    let (every, end) = (scene.time.sample_every, scene.time.end);
+    times_every(scene.time.sample_every, scene.time.end)
+}
+
+fn times_every(every: f64, end: f64) -> Vec<f64> {
     let rows = (end / every - 1e-9).ceil() as usize;
     (0..=rows).map(|k| (k as f64 * every).min(end)).collect()
 }

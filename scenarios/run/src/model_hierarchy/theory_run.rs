@@ -75,7 +75,7 @@ pub(crate) fn run(
         }),
         peaks: series.peaks().map(peak).collect(),
         means: series.means(0.8 * end).map(|(name, mean)| (name.to_string(), mean)).collect(),
-        results: results(body, &detailed(scene)?.unwrap_or(theory), &bars, scene.report.bandwidth),
+        results: results(body, &detailed(scene, &theory)?.unwrap_or(theory), &bars, scene.report.bandwidth),
         error_bars: bars,
         panels,
         similarity,
@@ -90,10 +90,13 @@ pub(crate) fn run(
 const LEAST_INSTANTS: f64 = 500.0;
 
 /// The theory at more instants, where a scene's rows are few.
-fn detailed(scene: &Scene) -> Result<Option<Theory>, RunError> {
+fn detailed(scene: &Scene, theory: &Theory) -> Result<Option<Theory>, RunError> {
     let every = scene.time.end / LEAST_INSTANTS;
     if scene.time.sample_every <= every * (1.0 + 1e-9) {
         return Ok(None);
+    }
+    if let Some(detailed) = theory.resampled(scene.time.end, every) {
+        return Ok(Some(detailed));
     }
     let mut detailed = scene.clone();
     detailed.time.sample_every = every;
