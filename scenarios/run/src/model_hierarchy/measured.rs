@@ -50,6 +50,13 @@ const BENT_ERROR: f64 = 0.05;
 /// RMS difference of a falling bent section's speed from particles over that at contact [-].
 const BENT_DROP_ERROR: f64 = 0.01;
 
+/// Deadrises of the wedges with panels that were measured [deg].
+const BENDING_FACES: [f64; 2] = [10.0, 30.0];
+/// Largest differences from particles on them: largest force, largest stress, and RMS of a falling frame's speed over that at contact [-].
+const BENDING_ERROR: f64 = 0.05;
+const BENDING_STRESS_ERROR: f64 = 0.05;
+const BENDING_DROP_ERROR: f64 = 0.01;
+
 /// Largest error of force and largest pressures on rolled wedges at constant speed (`tests/verification/asymmetric_similarity.rs`) [-].
 const ROLLED_ERROR: f64 = 0.02;
 /// Deadrises of the faces in the drops of rolled wedges [deg].
@@ -92,6 +99,9 @@ pub fn measured(scene: &Scene, theory: &Theory, want: QuantityOfInterest) -> Opt
 fn measured_without_gravity(scene: &Scene, theory: &Theory, want: QuantityOfInterest) -> Option<Measured> {
     if theory.rolls() {
         return of_rolled_wedge(scene, want);
+    }
+    if theory.model == EntryModel::BoundaryElement && scene.body.as_ref().is_some_and(Body::bends) {
+        return of_bending_bottom(scene, theory, want);
     }
     if theory.section.is_round() {
         return of_round_bottom(scene, theory, want);
@@ -138,7 +148,7 @@ fn measured_without_gravity(scene: &Scene, theory: &Theory, want: QuantityOfInte
 
 /// Under a round bottom only boundary elements were measured, and the peak of the first contact, which no theory without sound or air has, was not.
 fn of_round_bottom(scene: &Scene, theory: &Theory, want: QuantityOfInterest) -> Option<Measured> {
-    if theory.model != EntryModel::BoundaryElement || theory.bends() {
+    if theory.model != EntryModel::BoundaryElement {
         return None;
     }
     let falls = scene.body.as_ref().is_some_and(|body| matches!(body.motion, Motion::Free(_)));
@@ -209,7 +219,7 @@ fn of_bent_bottom(scene: &Scene, theory: &Theory, want: QuantityOfInterest) -> O
     let [least, most] = BENT_FACES;
     let near = deadrises.iter().all(|deadrise| (least - 0.5..most + 0.5).contains(deadrise))
         && deadrises.windows(2).all(|faces| (BENT_TURNS[0]..BENT_TURNS[1]).contains(&(faces[1] - faces[0])));
-    if theory.model != EntryModel::BoundaryElement || theory.bends() || !near {
+    if theory.model != EntryModel::BoundaryElement || !near {
         return None;
     }
     let falls = scene.body.as_ref().is_some_and(|body| matches!(body.motion, Motion::Free(_)));
@@ -223,6 +233,21 @@ fn of_bent_bottom(scene: &Scene, theory: &Theory, want: QuantityOfInterest) -> O
             Some(Measured { error: BENT_ERROR + dropped, case: case.into() })
         }
         _ => None,
+    }
+}
+
+/// About a bottom that bends, against particles.
+fn of_bending_bottom(scene: &Scene, theory: &Theory, want: QuantityOfInterest) -> Option<Measured> {
+    let falls = scene.body.as_ref().is_some_and(|body| matches!(body.motion, Motion::Free(_)));
+    let wedge = theory.section.deadrise_deg().is_some_and(|deadrise| (BENDING_FACES[0]..=BENDING_FACES[1]).contains(&deadrise));
+    let case = || "wedges with panels, against particles".into();
+    match want {
+        _ if !wedge => None,
+        QuantityOfInterest::Motion if falls => Some(Measured { error: BENDING_DROP_ERROR, case: case() }),
+        QuantityOfInterest::Motion => Some(Measured { error: 0.0, case: "a motion that is given".into() }),
+        QuantityOfInterest::PeakForce | QuantityOfInterest::History => Some(Measured { error: BENDING_ERROR, case: case() }),
+        QuantityOfInterest::Strain => Some(Measured { error: BENDING_STRESS_ERROR, case: case() }),
+        QuantityOfInterest::PeakPressure => None,
     }
 }
 

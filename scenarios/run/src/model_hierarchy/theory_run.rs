@@ -3,7 +3,8 @@
 use std::time::Instant as Clock;
 
 use scene::reference::WedgeSimilarity;
-use scene::vocabulary::{Quantity, ResultName, Results, Verdict};
+use scene::validity::panels::panel_results_within;
+use scene::vocabulary::{Doubt, Doubts, Quantity, ResultName, Results, Verdict};
 use scene::{Body, Gauge, Motion, QuantityOfInterest, Scene};
 use water_entry::Instant;
 
@@ -55,6 +56,9 @@ pub(crate) fn run(
     let (comparison, not_compared) = compare::against_all(scene, &references, &series, similarity.as_ref());
     let bars = error_bars(scene, body, &theory, &series);
     let end = theory.instants.last().map_or(0.0, |i| i.time);
+    let detailed = detailed(scene, &theory)?;
+    let results = results(body, detailed.as_ref().unwrap_or(&theory), &bars, scene.report.bandwidth);
+    let (results, doubts) = with_panels(results, scene, &theory);
     let panels = theory.bending_flow().map(|flow| flow.panels.clone()).unwrap_or_default();
     let peak = |(name, value, time_s): (&str, f64, f64)| (name.to_string(), Peak { value, time_s, verdict: None });
     let summary = Summary {
@@ -75,7 +79,8 @@ pub(crate) fn run(
         }),
         peaks: series.peaks().map(peak).collect(),
         means: series.means(0.8 * end).map(|(name, mean)| (name.to_string(), mean)).collect(),
-        results: results(body, &detailed(scene, &theory)?.unwrap_or(theory), &bars, scene.report.bandwidth),
+        results,
+        doubts,
         error_bars: bars,
         panels,
         similarity,
@@ -184,6 +189,18 @@ fn results(body: &Body, theory: &Theory, bars: &ErrorBars, bandwidth: Option<f64
     ];
     let body = all.into_iter().filter_map(|(name, quantity)| Some((name, quantity?))).collect();
     Results { body, ..Results::default() }
+}
+
+/// The same with those of panels that bend in a flow that was followed, and doubts about them.
+fn with_panels(mut results: Results, scene: &Scene, theory: &Theory) -> (Results, Doubts) {
+    let mut doubts = Doubts::default();
+    let error = measured(scene, theory, QuantityOfInterest::Strain).map(|found| reach(found.error));
+    for peak in theory.bending_flow().iter().flat_map(|flow| &flow.stresses) {
+        let (of_panel, reasons) = panel_results_within(peak, error);
+        doubts.extend(reasons.into_iter().map(|why| Doubt::about(&peak.name, why)));
+        results.panels.insert(peak.name.clone(), of_panel);
+    }
+    (results, doubts)
 }
 
 /// Poses of the body, and its curves.

@@ -121,7 +121,7 @@ pub fn panel_results(
     mean: Option<f64>,
     resonates: Option<&str>,
 ) -> (Named, Vec<Why>) {
-    let &StressPeak { value, time, reserve_factor: reserve, strain, allowed, .. } = peak;
+    let value = peak.value;
     let excess = mean.filter(|mean| *mean > 0.0).map_or(0.0, |mean| (value / mean - 1.0).max(0.0));
     let load = force.map(|force| force.verdict).filter(|verdict| *verdict != Verdict::Resolved);
     let (verdict, doubt) = match load {
@@ -135,8 +135,19 @@ pub fn panel_results(
         _ => (Verdict::Resolved, None),
     };
     let of_force = force.and_then(|force| Some(STRESS_BAND * force.band? / force.value));
+    judged(peak, (verdict, doubt), of_force.filter(|share| share.is_finite()).map(|share| share + excess))
+}
+
+/// The same of a panel in a flow without particles, whose stress is known within a share [-] where it was measured.
+pub fn panel_results_within(peak: &StressPeak, share: Option<f64>) -> (Named, Vec<Why>) {
+    judged(peak, (Verdict::Resolved, None), share)
+}
+
+/// Results of a panel with a verdict on its stress, why, and the stress's band as a share.
+fn judged(peak: &StressPeak, (verdict, doubt): (Verdict, Option<String>), share: Option<f64>) -> (Named, Vec<Why>) {
+    let &StressPeak { value, time, reserve_factor: reserve, strain, allowed, .. } = peak;
     // a stress that the law of the material bounds does not follow the force
-    let share = of_force.filter(|share| share.is_finite() && strain.is_none()).map(|share| share + excess);
+    let share = share.filter(|_| strain.is_none());
     let coarse = strain.and_then(|[strain, _]| peak.unknown_strain(strain));
     let of_strain = match verdict {
         Verdict::Resolved | Verdict::NoBand if coarse.is_some() => Verdict::NotResolved,
