@@ -16,7 +16,8 @@ use water_entry::{ElasticWedge, EntryFlow, Held, Section};
 fn main() -> Result<(), Box<dyn Error>> {
     let given: Vec<f64> = std::env::args().skip(1).filter_map(|word| word.parse().ok()).collect();
     let given = |k: usize, usual: f64| given.get(k).copied().unwrap_or(usual);
-    let (deadrise_deg, speed, thickness, pinned) = (given(0, 10.0), given(1, 30.0), given(2, 0.04), given(3, 0.0) > 0.0);
+    let (deadrise_deg, speed, thickness, pinned) =
+        (given(0, 10.0), given(1, 30.0), given(2, 0.04), given(3, 0.0) > 0.0);
     let (length, density) = (0.6, 1000.0);
     let material = Material { youngs_modulus: 67.5e9, poissons_ratio: 0.34, density: 2700.0 };
     let (ends, held) = match pinned {
@@ -87,13 +88,25 @@ fn main() -> Result<(), Box<dyn Error>> {
             let of_theory = &theory[theory.partition_point(|b| b.time < time).min(theory.len() - 1)];
             println!(
                 "{:.6} {:.5} {:.4e} {:.4} {:.5e} {:.4e} {:.4e} | {:.5e} {:.4e}",
-                time, entry.draught(), force, entry.half_width(), watched.deflection, watched.strain[0], panel.stress,
-                wedge.deflection(of_theory, 0.5), wedge.strain(of_theory, 0.5)
+                time,
+                entry.draught(),
+                force,
+                entry.half_width(),
+                watched.deflection,
+                watched.strain[0],
+                panel.stress,
+                wedge.deflection(of_theory, 0.5),
+                wedge.strain(of_theory, 0.5)
             );
         }
     }
     let worst = entry.body().panels()[0].worst;
-    println!("{steps} steps, {} iterations, {:.2} s; stress {:.4e} to {:.4e} Pa", entry.iterations(),
-        clock.elapsed().as_secs_f64(), worst.stress.least, worst.stress.most);
+    println!(
+        "{steps} steps, {} iterations, {:.2} s; stress {:.4e} to {:.4e} Pa",
+        entry.iterations(),
+        clock.elapsed().as_secs_f64(),
+        worst.stress.least,
+        worst.stress.most
+    );
     Ok(())
 }

@@ -3,6 +3,7 @@
 mod acoustics;
 mod approach;
 mod asymmetric_similarity;
+mod bending_flow;
 mod channel;
 mod closed_tank;
 mod conservation;

@@ -219,8 +219,7 @@ impl BendingBottom for Bottom {
         let frame = self.body.motion().unwrap_or_default();
         let moved = [0, 1].map(|k| frame.position[k] - self.start[k]);
         let velocity = |k: usize| c64::new(u[k] - frame.velocity[0], v[k] - frame.velocity[1]);
-        let displaced =
-            |k: usize| c64::new(x[k] - self.rest[k][0] - moved[0], y[k] - self.rest[k][1] - moved[1]);
+        let displaced = |k: usize| c64::new(x[k] - self.rest[k][0] - moved[0], y[k] - self.rest[k][1] - moved[1]);
         let deflection = Deflection {
             displacement: self.along(|k| displaced(k) + velocity(k) * ahead),
             velocity: self.along(velocity),

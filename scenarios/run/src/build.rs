@@ -14,8 +14,7 @@ use crate::initial_fluid::initial_fluid;
 /// Fluid, walls and bodies of a scene at the start of its run: the bodies are placed, the water is filled in around them.
 pub fn build(scene: &Scene) -> Result<Coupled, CouplingError> {
     let rows = rows(scene);
-    let bodies: Result<_, CouplingError> =
-        scene.all_bodies().map(|body| of_scene(scene, body, &rows)).collect();
+    let bodies: Result<_, CouplingError> = scene.all_bodies().map(|body| of_scene(scene, body, &rows)).collect();
     let system = build_around(scene, bodies?)?;
     let last = scene.all_bodies().count();
     let index = |name: &str| scene.all_bodies().position(|body| body.name == name).unwrap_or(last);

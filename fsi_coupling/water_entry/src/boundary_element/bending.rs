@@ -82,7 +82,10 @@ impl WaterOnBottom<'_> {
         let n = self.solution.nodes.len();
         let contact = self.solution.contact;
         let psi = streamed(self.along, self.places, |s| acceleration.sample(s)[0]);
-        let mut rate = Complex { phi: vec![0.0; n], psi: (0..n).map(|k| if k < contact { 0.0 } else { psi[k - contact] }).collect() };
+        let mut rate = Complex {
+            phi: vec![0.0; n],
+            psi: (0..n).map(|k| if k < contact { 0.0 } else { psi[k - contact] }).collect(),
+        };
         self.contour.solve(&mut rate);
         rate.phi[contact..].iter().map(|phi| -phi).collect()
     }
@@ -171,7 +174,11 @@ impl EntryFlow {
     ///
     /// # Errors
     /// A flow that breaks up, or the structure's; the flow before the step is kept.
-    pub fn step_with<B: BendingBottom>(&mut self, body: &mut B, longest: f64) -> Result<f64, BendingStepError<B::Error>> {
+    pub fn step_with<B: BendingBottom>(
+        &mut self,
+        body: &mut B,
+        longest: f64,
+    ) -> Result<f64, BendingStepError<B::Error>> {
         let mut now = self.clone().with_motion(body.motion(0.0));
         let (mut start, mut matrix) = now.solve_keeping_matrix();
         if now.leaves_chine(&start.sides[0]) {

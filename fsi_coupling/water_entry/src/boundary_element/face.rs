@@ -82,7 +82,13 @@ impl Face {
         };
         let to = Rounded::Arc { area: 0.5 * radius * radius * (keel.tan() - keel), radius };
         let added = Added { to, least: radius * keel.sin() };
-        Face { pieces: vec![tangent.pieces[0], arc], draught: 0.0, left_at: f64::INFINITY, added: Some(added), bent: None }
+        Face {
+            pieces: vec![tangent.pieces[0], arc],
+            draught: 0.0,
+            left_at: f64::INFINITY,
+            added: Some(added),
+            bent: None,
+        }
     }
 
     /// A bottom with curves, whose knuckles are rounded (THEORY EN39), as far as the flow follows it; the lowest part of a round one is replaced by

@@ -105,7 +105,10 @@ impl BendingFlow {
             let risen = step.speed <= 0.0;
             found.steps.push(step);
             if risen {
-                over = Some(refuse(format!("one that leaves the water from t = {} s on", significant(entry.time() + start))));
+                over = Some(refuse(format!(
+                    "one that leaves the water from t = {} s on",
+                    significant(entry.time() + start)
+                )));
                 break;
             }
         }
@@ -231,7 +234,8 @@ impl Before {
         let times: Vec<f64> = (0..=BEFORE).map(|k| longest * k as f64 / BEFORE as f64).collect();
         let (mut instants, _) = entry.solve_while_in_range(&times);
         let last = instants.partition_point(|now| now.draught < begin);
-        let Some([a, b]) = last.checked_sub(1).and_then(|k| instants.get(k..k + 2)).map(|pair| [pair[0], pair[1]]) else {
+        let Some([a, b]) = last.checked_sub(1).and_then(|k| instants.get(k..k + 2)).map(|pair| [pair[0], pair[1]])
+        else {
             let now = Before { instants: Vec::new(), start: 0.0, draught: draught.max(begin), speed };
             return if draught >= begin { Ok(now) } else { Err(refuse("one that does not get into the water".into())) };
         };

@@ -239,13 +239,16 @@ fn of_bent_bottom(scene: &Scene, theory: &Theory, want: QuantityOfInterest) -> O
 /// About a bottom that bends, against particles.
 fn of_bending_bottom(scene: &Scene, theory: &Theory, want: QuantityOfInterest) -> Option<Measured> {
     let falls = scene.body.as_ref().is_some_and(|body| matches!(body.motion, Motion::Free(_)));
-    let wedge = theory.section.deadrise_deg().is_some_and(|deadrise| (BENDING_FACES[0]..=BENDING_FACES[1]).contains(&deadrise));
+    let wedge =
+        theory.section.deadrise_deg().is_some_and(|deadrise| (BENDING_FACES[0]..=BENDING_FACES[1]).contains(&deadrise));
     let case = || "wedges with panels, against particles".into();
     match want {
         _ if !wedge => None,
         QuantityOfInterest::Motion if falls => Some(Measured { error: BENDING_DROP_ERROR, case: case() }),
         QuantityOfInterest::Motion => Some(Measured { error: 0.0, case: "a motion that is given".into() }),
-        QuantityOfInterest::PeakForce | QuantityOfInterest::History => Some(Measured { error: BENDING_ERROR, case: case() }),
+        QuantityOfInterest::PeakForce | QuantityOfInterest::History => {
+            Some(Measured { error: BENDING_ERROR, case: case() })
+        }
         QuantityOfInterest::Strain => Some(Measured { error: BENDING_STRESS_ERROR, case: case() }),
         QuantityOfInterest::PeakPressure => None,
     }

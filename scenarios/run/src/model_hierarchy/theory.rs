@@ -244,7 +244,9 @@ impl Theory {
             };
             let rest = match &self.source {
                 Source::Faces(_, faces) => faces.values(now.time),
-                Source::Bending(flow) => flow.columns(now.time).into_iter().chain(scene.gauges.iter().map(gauge)).collect(),
+                Source::Bending(flow) => {
+                    flow.columns(now.time).into_iter().chain(scene.gauges.iter().map(gauge)).collect()
+                }
                 Source::Loads(_) | Source::Flow(_) | Source::Rolled(_) => scene.gauges.iter().map(gauge).collect(),
             };
             std::iter::once(now.time).chain(body_values(motion).map(|(_, value)| value)).chain(rest).collect()
