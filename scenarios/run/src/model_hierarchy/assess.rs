@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use scene::{QuantityOfInterest, Scene};
+use scene::{Body, QuantityOfInterest, Scene};
 use serde::Serialize;
 use water_entry::{EntryModel, OutOfRange};
 
@@ -61,6 +61,8 @@ const OF_WEDGE: [f64; 2] = [0.07, 0.03];
 const OF_BENT: [f64; 2] = [0.1, 0.09];
 /// About a round bottom.
 const OF_ROUND: f64 = 0.35;
+/// About a bottom that bends: from a smaller draught, and the structure's iterations.
+const OF_BENDING: [f64; 2] = [0.5, 0.2];
 /// Times as long about a rolled wedge: both sides.
 const ROLLED: f64 = 1.5;
 
@@ -73,7 +75,11 @@ fn flow_seconds(scene: &Scene, theory: &Theory) -> f64 {
         None if theory.section.is_round() => OF_ROUND,
         None => {
             let deadrises: Vec<f64> = theory.section.followed_deadrises().collect();
-            let of_flow = if deadrises.len() == 1 { OF_WEDGE } else { OF_BENT };
+            let of_flow = match deadrises.len() {
+                _ if scene.body.as_ref().is_some_and(Body::bends) => OF_BENDING,
+                1 => OF_WEDGE,
+                _ => OF_BENT,
+            };
             of_face(of_flow, deadrises.into_iter().fold(90.0, f64::min))
         }
     }

@@ -6,7 +6,7 @@ use fsi_coupling::{BendingEntry, BottomPressure};
 use scene::validity::panels::StressPeak;
 use scene::{Body, Motion, Scene, Symmetry, rows};
 use settings::significant;
-use water_entry::{Entry, EntryFlow, EntryModel, Instant, Loads, OutOfRange, Section, SectionMotion};
+use water_entry::{BOUNDARY_ELEMENT_DEADRISES, Entry, EntryFlow, EntryModel, Instant, Loads, OutOfRange, Section, SectionMotion};
 
 use crate::build::of_scene;
 use crate::observers::{modal_values, panel_values};
@@ -44,7 +44,7 @@ struct Step {
 fn refuse(what: String) -> OutOfRange {
     OutOfRange {
         what,
-        range: "panels or modes of a body that is simulated by half (symmetry = \"x\"), on its way down, from dry chines on".into(),
+        range: "panels or modes of a body with a keel that is simulated by half (symmetry = \"x\"), on its way down, from dry chines on".into(),
         next: EntryModel::Wcsph,
     }
 }
@@ -53,17 +53,19 @@ impl BendingFlow {
     /// Is a scene within its range at the start?
     ///
     /// # Errors
-    /// A body that is simulated whole.
-    pub fn check(scene: &Scene) -> Result<(), OutOfRange> {
+    /// A body that is simulated whole; a round or flat bottom, whose first contact bends it before a flow can begin.
+    pub fn check(scene: &Scene, section: &Section) -> Result<(), OutOfRange> {
+        let steep = section.slope(0.0).atan().to_degrees();
         match scene.symmetry {
-            Symmetry::X => Ok(()),
+            Symmetry::X if !section.is_round() && steep >= BOUNDARY_ELEMENT_DEADRISES[0] => Ok(()),
+            Symmetry::X => Err(refuse("one without a keel, which bends at the first contact".into())),
             _ => Err(refuse("a body that is simulated whole".into())),
         }
     }
 
     /// Follow the body of a scene by half; also why it was not followed to the end.
     pub fn of(scene: &Scene, body: &Body, section: &Section) -> Result<(BendingFlow, Option<OutOfRange>), OutOfRange> {
-        BendingFlow::check(scene)?;
+        BendingFlow::check(scene, section)?;
         let (density, gravity) = (scene.water().density, -scene.gravity[1]);
         let wrong = |error: &dyn std::fmt::Display| refuse(error.to_string());
         let whole = of_scene(scene, body, &rows(scene)).map_err(|error| wrong(&error))?;

@@ -110,7 +110,7 @@ impl Theory {
         }
         let (body, section, motion) = upright_entry(scene, model)?;
         if body.bends() {
-            BendingFlow::check(scene)?;
+            BendingFlow::check(scene, &section)?;
         }
         if rolled::rolls(scene, model) {
             rolled::check(scene, body, motion)?;
