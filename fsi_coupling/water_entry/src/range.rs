@@ -1,5 +1,7 @@
 //! Which bottoms each model holds for; the deadrises of boundary elements stand in `model`.
 
+use faer::c64;
+
 use super::curve::Piece;
 use super::model::{EntryModel, OutOfRange};
 use super::section::{KNUCKLE, Section};
@@ -44,9 +46,7 @@ impl EntryModel {
                 let range = || format!("arcs of {LEAST_ARC_DEG} degrees and more, and round bottoms that end at {LEAST_CURVE_DEG}");
                 (end < least).then(|| (format!("{what} at {end:.1} degrees"), range()))
             }
-            EntryModel::BoundaryElement if section.flat_keel().is_some() => {
-                Some(("a flat keel".into(), "bottoms with a keel, or round ones".into()))
-            }
+            EntryModel::BoundaryElement if section.is_blunt() => None,
             EntryModel::BoundaryElement if !is_wedge => section.not_followed(reach).map(|what| {
                 let range = format!(
                     "bottoms of faces of {least} to {most} degrees, up to a knuckle of {LEAST_CHINE_DEG} degrees and more"
@@ -93,10 +93,21 @@ impl Section {
         &self.corners()[..=faces]
     }
 
-    /// The pieces of a bottom with curves up to there.
-    pub(super) fn followed_curve(&self) -> Vec<Piece> {
+    /// Its pieces up to there; knuckles are not rounded.
+    pub(super) fn followed_line(&self) -> Vec<Piece> {
         let end = self.followed_half_breadth() * (1.0 - 1e-9);
-        self.curve().unwrap_or_default().iter().take_while(|piece| piece.from.re < end).copied().collect()
+        let point = |[x, y]: [f64; 2]| c64::new(x, y);
+        match self.curve() {
+            Some(line) => line.iter().take_while(|piece| piece.from.re < end).copied().collect(),
+            None => self.followed().windows(2).map(|ends| Piece::straight(point(ends[0]), point(ends[1]))).collect(),
+        }
+    }
+
+    /// Has the bottom no keel about which a flow could begin: is it round, flat or nearly flat next to its keel? A wedge is none.
+    pub(super) fn is_blunt(&self) -> bool {
+        let [least, _] = EntryModel::BoundaryElement.deadrises();
+        let is_flat = || self.deadrise_deg().is_none() && self.slopes()[0] < (least - 1e-6).to_radians().tan();
+        self.is_round() || is_flat()
     }
 
     /// Is the bottom straight from the keel to where the flow leaves it?

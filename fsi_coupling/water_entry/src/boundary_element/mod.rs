@@ -102,7 +102,7 @@ impl EntryFlow {
             let range = "sections with dry chines at the start";
             return refused(format!("one of {} m of breadth at a draught of {draught} m", 2.0 * half_breadth), range);
         }
-        if !section.is_round() {
+        if !section.is_blunt() {
             // a wedge's flow begins at any draught
             flow = if section.is_followed_as_wedge() { flow.scaled_to(draught) } else { flow };
         } else if draught < flow.draught {
@@ -126,12 +126,13 @@ impl EntryFlow {
     fn first(section: &Section, draught: f64, speed: f64, keel_deg: f64) -> Option<EntryFlow> {
         let mut far = FAR;
         let (face, keel, draught, of_section) = match section.radius() {
-            None if section.is_round() => {
+            None if section.is_blunt() => {
                 let keel = keel_deg.to_radians();
                 let face = Face::curved(section, keel);
                 let c = FIRST_WIDTH * face.keel_half_width();
                 far = far.max(BEGIN * FAR * section.followed_half_breadth() / c);
-                (face, keel_deg, FRAC_2_PI * keel.tan() * c, section.wagner_draught(c))
+                let draught = face.draught_of(section, c);
+                (face, keel_deg, FRAC_2_PI * keel.tan() * c, draught)
             }
             None => {
                 let (keel, [x, y]) = (section.slope(0.0).atan(), section.first_face());
@@ -154,7 +155,9 @@ impl EntryFlow {
         let face = face.at_draught(draught);
         let sizes = if section.is_followed_as_wedge() { Sizes::WEDGE } else { Sizes::BENT };
         let similar = SimilarityFlow::solve(keel)?;
-        let surface = FreeSurface::similar(&similar, draught, speed, far / keel.to_radians().tan());
+        // under a flat keel the first flow is that of the keel at its own speed
+        let at_keel = if section.is_round() { speed } else { speed * face.keel_speed(0.0) };
+        let surface = FreeSurface::similar(&similar, draught, at_keel, far / keel.to_radians().tan());
         let surface = surface.redistributed(LowerSide { face: &face, underside: None, sizes });
         Some(EntryFlow {
             surface,
@@ -174,7 +177,11 @@ impl EntryFlow {
         let keel = keel_deg.to_radians();
         let half_width = match section.radius() {
             Some(radius) => FIRST_WIDTH * radius * keel.sin(),
-            None if section.is_round() => FIRST_WIDTH * Face::curved(section, keel).keel_half_width(),
+            None if section.is_blunt() => {
+                let face = Face::curved(section, keel);
+                let (least, from) = (face.keel_half_width(), face.grows_from());
+                if from > least { from } else { FIRST_WIDTH * least }
+            }
             None => return None,
         };
         Some(section.wagner_draught(half_width))
