@@ -83,12 +83,6 @@ impl Loads {
         loads
     }
 
-    /// Speed of a body of the mass m [kg/m] after contact with water of density ρ [kg/m³], over that before: a flat keel, half as wide as f, gives the
-    /// water the momentum ρMV at once, M = ½πf² (von Karman 1929); 1 of other bottoms.
-    pub fn kept_at_contact(&self, mass: f64, density: f64) -> f64 {
-        self.section.flat_keel().map_or(1.0, |f| mass / (mass + density * FRAC_PI_2 * f * f))
-    }
-
     /// The theory.
     pub fn model(&self) -> EntryModel {
         self.model

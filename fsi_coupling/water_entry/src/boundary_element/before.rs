@@ -58,6 +58,14 @@ impl Before {
         }
     }
 
+    /// Power of the draughts before the flow: under a flat keel A begins as h^{−1/3}.
+    pub fn grading(&self) -> i32 {
+        match self {
+            Before::Round(loads, ..) if loads.section().flat_keel().is_some() => 3,
+            _ => 1,
+        }
+    }
+
     /// Share of the flow's load at a draught [-].
     pub fn share_of_flow(&self, draught: f64) -> f64 {
         match self {

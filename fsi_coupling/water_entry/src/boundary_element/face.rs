@@ -244,6 +244,17 @@ impl Face {
         }
     }
 
+    /// Height of a flat or nearly flat bottom over still water at the distance `x` from the plane of symmetry and a draught [m], without its added
+    /// keel; `None` of others.
+    pub fn level(&self, x: f64, draught: f64) -> Option<f64> {
+        match &self.added {
+            Some(Added { to: Rounded::Curve(sections), .. }) if !sections[0].is_round() => {
+                Some(sections[0].height(x) - draught)
+            }
+            _ => None,
+        }
+    }
+
     /// Half width from which the wetted width grows as without the added keel [m]; 0 without one.
     pub fn grows_from(&self) -> f64 {
         self.added.as_ref().map_or(0.0, |added| added.from)

@@ -31,7 +31,7 @@ pub use solution::FlowLoad;
 pub use state::EntryFlow;
 
 use elements::{Sizes, arc_length};
-use entry::{BEGIN, KEEL_DEG, LATEST};
+use entry::{BEGIN, LATEST, keels};
 use face::Face;
 use lower_side::LowerSide;
 use solution::{Solution, Solved, SymmetricSolution};
@@ -75,7 +75,7 @@ impl EntryFlow {
     /// A section that is neither a wedge of [`BOUNDARY_ELEMENT_DEADRISES`] nor an arc nor a polygon of such faces; a draught or a speed that is not above zero; of a round
     /// bottom a draught below the first; wet chines.
     pub fn new(section: &Section, draught: f64, speed: f64, gravity: f64) -> Result<EntryFlow, OutOfRange> {
-        EntryFlow::with_keel(section, draught, speed, gravity, KEEL_DEG)
+        EntryFlow::with_keel(section, draught, speed, gravity, keels(section)[0])
     }
 
     /// The same with a keel of an angle [deg] under a round bottom.
