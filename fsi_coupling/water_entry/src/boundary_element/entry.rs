@@ -4,6 +4,7 @@ use super::super::entry::{Instant, SectionMotion};
 use super::super::model::{EntryModel, OutOfRange};
 use super::super::section::Section;
 use super::before::Before;
+use super::AddedKeel;
 use super::solution::FlowLoad;
 use super::state::EntryFlow;
 
@@ -19,6 +20,9 @@ pub(super) const LATEST_UNDER_GRAVITY: f64 = 0.02;
 pub(super) const KEEL_DEG: f64 = 15.0;
 /// Those that are tried one after the other under another blunt bottom: flat ones need a steeper keel [deg].
 const KEELS_DEG: [f64; 3] = [KEEL_DEG, 20.0, 25.0];
+/// Half width of the first flow about a blunt bottom, over that of its keel: a round one, and those that are tried under a flat keel [-].
+const FIRST_WIDTHS: [f64; 3] = [0.8, 0.6, 0.8];
+const ROUND_KEEL: AddedKeel = AddedKeel { deg: KEEL_DEG, first: FIRST_WIDTHS[0] };
 /// Steps before the flow begins.
 const STEPS_BEFORE: usize = 64;
 /// Share of the speed at contact below which the wedge counts as stopped.
@@ -84,6 +88,7 @@ impl FlowEntry<'_> {
     pub fn solve(&self, times: &[f64]) -> Result<Followed, OutOfRange> {
         let mut best: Option<Result<Found, OutOfRange>> = None;
         let reached = |found: &Result<Found, OutOfRange>| found.as_ref().map_or(0, |found| found.followed.0.len());
+        EntryModel::BoundaryElement.covers(self.section, 0.0)?;
         for keel in keels(self.section) {
             let found = self.solve_with(keel, times);
             // another keel does not help a flow that ended for a reason of its own
@@ -96,18 +101,18 @@ impl FlowEntry<'_> {
                 break;
             }
         }
-        best.unwrap_or_else(|| self.solve_with(KEEL_DEG, times)).map(|found| found.followed)
+        best.unwrap_or_else(|| self.solve_with(ROUND_KEEL, times)).map(|found| found.followed)
     }
 
-    /// The same with a keel of an angle [deg] under a blunt bottom.
-    fn solve_with(&self, keel_deg: f64, times: &[f64]) -> Result<Found, OutOfRange> {
+    /// The same with a keel under a blunt bottom.
+    fn solve_with(&self, keel: AddedKeel, times: &[f64]) -> Result<Found, OutOfRange> {
         let end = times.last().copied().unwrap_or(0.0);
         let start = [self.draught, self.speed];
         let [g, in_air, in_fall] = contact(self.motion, start, self.gravity);
         let kept = if self.draught <= 0.0 { self.motion.kept_at_contact(self.section, self.density) } else { 1.0 };
         let at_contact = kept * in_fall;
-        let begin = self.begin(at_contact, end - in_air, g, keel_deg);
-        let mut flow = EntryFlow::with_keel(self.section, begin, at_contact, self.gravity, keel_deg)?;
+        let begin = self.begin(at_contact, end - in_air, g, keel);
+        let mut flow = EntryFlow::with_keel(self.section, begin, at_contact, self.gravity, keel)?;
         let calm = EntryFlow { gravity: 0.0, ..flow.clone() };
         let before = Before::new(self.section, &calm, self.gravity)?;
 
@@ -165,8 +170,8 @@ impl FlowEntry<'_> {
 
     /// The draught at which the flow begins [m]: a wedge's from a share of that at which its chines are wet, or at which it would be after
     /// the time `left` [s] in the water.
-    fn begin(&self, at_contact: f64, left: f64, g: f64, keel_deg: f64) -> f64 {
-        match (self.draught, EntryFlow::first_draught(self.section, keel_deg)) {
+    fn begin(&self, at_contact: f64, left: f64, g: f64, keel: AddedKeel) -> f64 {
+        match (self.draught, EntryFlow::first_draught(self.section, keel)) {
             (draught, first) if draught > 0.0 => draught.max(first.unwrap_or(0.0)),
             (_, Some(first)) => first,
             (draught, None) => {
@@ -228,15 +233,16 @@ impl FlowEntry<'_> {
     }
 }
 
-/// Angles of the keels that are tried under a section, none steeper than its steepest place, and the first no steeper than the first face that needs
-/// no keel [deg].
-pub(super) fn keels(section: &Section) -> Vec<f64> {
+/// The keels that are tried under a section, none steeper than its steepest place, and the first no steeper than the first face that needs no keel.
+pub(super) fn keels(section: &Section) -> Vec<AddedKeel> {
     if section.radius().is_some() || !section.is_blunt() {
-        return vec![KEEL_DEG];
+        return vec![ROUND_KEEL];
     }
     let first = section.first_steep_deg().unwrap_or(KEEL_DEG).min(KEEL_DEG);
     let others = KEELS_DEG[1..].iter().copied().filter(|keel| *keel < section.steepest_followed_deg());
-    std::iter::once(first).chain(others).collect()
+    let widths = if section.is_round() { &FIRST_WIDTHS[..1] } else { &FIRST_WIDTHS[1..] };
+    let angles = std::iter::once(first).chain(others);
+    angles.flat_map(|deg| widths.iter().map(move |first| AddedKeel { deg, first: *first })).collect()
 }
 
 /// The share at which the flow about a wedge begins, by its motion and gravity in the water [m/s²].

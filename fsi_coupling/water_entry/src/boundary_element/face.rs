@@ -17,7 +17,7 @@ const SMOOTH: f64 = 1e-6;
 /// Turn of a rounded knuckle from which elements on it are smaller [rad].
 const SHARP: f64 = 3.0 * std::f64::consts::PI / 180.0;
 /// Largest speed of an added keel over that of the bottom: under a flat keel it would begin without bound [-].
-const FASTEST: f64 = 2.5;
+const FASTEST: f64 = 1.7;
 
 /// A bottom at rest in its own axes, whose keel is at −i draught.
 #[derive(Clone, Debug)]

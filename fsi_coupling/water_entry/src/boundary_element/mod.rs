@@ -46,8 +46,6 @@ use super::similarity::SimilarityFlow;
 const DRAUGHT_GROWTH: f64 = 0.03;
 /// Distance to which the free surface reaches, over half the wetted breadth, at the start.
 const FAR: f64 = 240.0;
-/// Half width of the first flow about a round bottom, over that of its keel [-].
-const FIRST_WIDTH: f64 = 0.8;
 /// Length beyond the chine at which the jet's end leaves it, over the finest element.
 const PASSED: f64 = 2.0;
 
@@ -56,6 +54,15 @@ const DETACHED: f64 = 4.0;
 
 /// Depth of a node in the bottom from which that is wet again, over the length of its element.
 const INSIDE: f64 = 0.05;
+
+/// A keel that is added to a blunt bottom.
+#[derive(Clone, Copy, Debug)]
+struct AddedKeel {
+    /// Its angle [deg].
+    deg: f64,
+    /// Half width of the first flow, over that of the keel [-].
+    first: f64,
+}
 
 /// The flow cannot be followed further.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -78,13 +85,13 @@ impl EntryFlow {
         EntryFlow::with_keel(section, draught, speed, gravity, keels(section)[0])
     }
 
-    /// The same with a keel of an angle [deg] under a round bottom.
+    /// The same with a keel under a blunt bottom.
     fn with_keel(
         section: &Section,
         draught: f64,
         speed: f64,
         gravity: f64,
-        keel_deg: f64,
+        keel: AddedKeel,
     ) -> Result<EntryFlow, OutOfRange> {
         EntryModel::BoundaryElement.covers(section, 0.0)?;
         let refused =
@@ -93,7 +100,7 @@ impl EntryFlow {
             let range = "draughts and downward speeds above zero";
             return refused(format!("a draught of {draught} m and a speed of {speed} m/s"), range);
         }
-        let Some(mut flow) = EntryFlow::first(section, draught, speed, keel_deg) else {
+        let Some(mut flow) = EntryFlow::first(section, draught, speed, keel) else {
             let deadrise = section.slope(0.0).atan().to_degrees();
             return refused(format!("a deadrise of {deadrise:.2} degrees"), "deadrises with a similarity solution");
         };
@@ -123,13 +130,13 @@ impl EntryFlow {
 
     /// The first flow about a section on its way to a draught [m], at a downward speed [m/s]: of a wedge, at any draught; of a round bottom with a
     /// keel of an angle [deg].
-    fn first(section: &Section, draught: f64, speed: f64, keel_deg: f64) -> Option<EntryFlow> {
+    fn first(section: &Section, draught: f64, speed: f64, AddedKeel { deg: keel_deg, first }: AddedKeel) -> Option<EntryFlow> {
         let mut far = FAR;
         let (face, keel, draught, of_section) = match section.radius() {
             None if section.is_blunt() => {
                 let keel = keel_deg.to_radians();
                 let face = Face::curved(section, keel);
-                let c = FIRST_WIDTH * face.keel_half_width();
+                let c = first * face.keel_half_width();
                 far = far.max(BEGIN * FAR * section.followed_half_breadth() / c);
                 let draught = face.draught_of(section, c);
                 (face, keel_deg, FRAC_2_PI * keel.tan() * c, draught)
@@ -147,7 +154,7 @@ impl EntryFlow {
             }
             Some(radius) => {
                 let keel = keel_deg.to_radians();
-                let c = FIRST_WIDTH * radius * keel.sin();
+                let c = first * radius * keel.sin();
                 let face = Face::arc(radius, (section.half_breadth() / radius).min(1.0).asin(), keel);
                 (face, keel_deg, FRAC_2_PI * keel.tan() * c, section.wagner_draught(c))
             }
@@ -173,14 +180,14 @@ impl EntryFlow {
     }
 
     /// The draught at which the flow about a round bottom begins [m]; `None` for a wedge.
-    fn first_draught(section: &Section, keel_deg: f64) -> Option<f64> {
-        let keel = keel_deg.to_radians();
+    fn first_draught(section: &Section, AddedKeel { deg, first }: AddedKeel) -> Option<f64> {
+        let keel = deg.to_radians();
         let half_width = match section.radius() {
-            Some(radius) => FIRST_WIDTH * radius * keel.sin(),
+            Some(radius) => first * radius * keel.sin(),
             None if section.is_blunt() => {
                 let face = Face::curved(section, keel);
                 let (least, from) = (face.keel_half_width(), face.grows_from());
-                if from > least { from } else { FIRST_WIDTH * least }
+                if from > least { from } else { first * least }
             }
             None => return None,
         };

@@ -72,7 +72,8 @@ fn flow_seconds(scene: &Scene, theory: &Theory) -> f64 {
         Some([left, right]) => ROLLED * of_face(OF_WEDGE, left.min(right)),
         None if theory.section.is_round() => OF_ROUND,
         None => {
-            let deadrises: Vec<f64> = theory.section.followed_deadrises().collect();
+            let [least, _] = water_entry::BOUNDARY_ELEMENT_DEADRISES;
+            let deadrises: Vec<f64> = theory.section.followed_deadrises().filter(|face| *face >= least).collect();
             let of_flow = if deadrises.len() == 1 { OF_WEDGE } else { OF_BENT };
             of_face(of_flow, deadrises.into_iter().fold(90.0, f64::min))
         }
