@@ -1,4 +1,4 @@
-//! The load before a flow by boundary elements can be followed (THEORY EN20, EN30).
+//! The load before a flow by boundary elements can be followed (THEORY EN20, EN30, EN50).
 
 use super::super::loads::{Load, Loads};
 use super::super::model::OutOfRange;

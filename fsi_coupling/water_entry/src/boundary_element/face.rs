@@ -226,7 +226,7 @@ impl Face {
         self.pieces[0].direction.im > 1e-6
     }
 
-    /// EN30: speed of the keel over that of the bottom, so that the wetted half width `c` [m] of Wagner (1932) grows as without the added keel.
+    /// EN30, EN50: speed of the keel over that of the bottom, so that the wetted half width `c` [m] of Wagner (1932) grows as without the added keel.
     pub fn keel_speed(&self, c: f64) -> f64 {
         self.added.as_ref().map_or(1.0, |added| added.speed(c))
     }
