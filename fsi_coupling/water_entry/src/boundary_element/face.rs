@@ -91,7 +91,9 @@ impl Face {
         let mut line: Vec<Piece> = section.followed_line();
         let mut added = None;
         if section.is_blunt() {
-            let first = line.iter().position(|piece| piece.last_angle() > keel - SMOOTH).unwrap_or(line.len() - 1);
+            // a straight face is touched where it begins
+            let reaches = |p: &Piece| p.last_angle() > if p.curvature == 0.0 { keel - SMOOTH } else { keel };
+            let first = line.iter().position(reaches).unwrap_or(line.len() - 1);
             let piece = line[first];
             let turned = if piece.angle < keel - SMOOTH { (keel - piece.angle) / piece.curvature } else { 0.0 };
             line[first] = piece.part(turned, piece.length);
