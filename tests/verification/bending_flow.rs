@@ -1,4 +1,4 @@
-//! Water by boundary elements about bottoms that bend (THEORY EN50–EN52).
+//! Water by boundary elements about bottoms that bend (THEORY EN51–EN53).
 
 use fsi_coupling::{
     BendingEntry, FlexibleBody, FlexibleSpec, Frame, Outline, PanelEnd, PanelSpec, Plane, PrescribedBody, RigidMotion,

@@ -36,6 +36,7 @@ mod modal;
 mod potential_flow;
 mod potential_flow_bent;
 mod potential_flow_curved;
+mod potential_flow_flat;
 mod projection_bodies;
 mod quoted_peaks;
 mod relaxation_zone;

@@ -194,7 +194,7 @@ fn bottoms_that_are_not_followed_are_refused() {
     let refused = |faces: &[[f64; 2]]| {
         EntryModel::BoundaryElement.covers(&bent(faces), 0.0).expect_err("out of range").to_string()
     };
-    let flat = refused(&[[0.5, 7.0], [1.0, 25.0]]);
+    let flat = refused(&[[0.5, 7.0], [1.0, 9.0]]);
     assert!(flat.contains("one with a face of 7.00 degrees") && flat.contains("\"mlm\""), "{flat}");
     let flared = refused(&[[0.5, 30.0], [1.0, 8.0]]);
     assert!(flared.contains("one with a face of 8.00 degrees") && flared.contains("\"wcsph\""), "{flared}");

@@ -1,4 +1,4 @@
-//! A body that bends on its way into water that boundary elements follow (THEORY EN50–EN52).
+//! A body that bends on its way into water that boundary elements follow (THEORY EN51–EN53).
 
 use faer::c64;
 use sph_core::{WallForces, WallsMut};

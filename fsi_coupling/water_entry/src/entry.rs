@@ -2,6 +2,7 @@
 
 use super::loads::{Load, Loads};
 use super::model::{EntryModel, OutOfRange};
+use super::section::Section;
 
 /// How the section moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -10,6 +11,16 @@ pub enum SectionMotion {
     Constant,
     /// By its weight and the water's load: mass of the whole section [kg/m].
     Free(f64),
+}
+
+impl SectionMotion {
+    /// EN50: speed after contact over that before: a flat keel gives the water the momentum ρMV at once.
+    pub(super) fn kept_at_contact(self, section: &Section, density: f64) -> f64 {
+        match self {
+            SectionMotion::Constant => 1.0,
+            SectionMotion::Free(mass) => mass / (mass + density * section.mass_at_contact()),
+        }
+    }
 }
 
 /// A section on its way into the water.
@@ -104,7 +115,9 @@ impl Entry<'_> {
         let k2 = slope(ahead(k1, 0.5 * dt));
         let k3 = slope(ahead(k2, 0.5 * dt));
         let k4 = slope(ahead(k3, dt));
-        std::array::from_fn(|i| [h, v][i] + dt / 6.0 * (k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i]))
+        let [end, speed] = std::array::from_fn(|i| [h, v][i] + dt / 6.0 * (k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i]));
+        let touches = h <= 0.0 && end > 0.0;
+        [end, if touches { speed * self.motion.kept_at_contact(self.loads.section(), self.density) } else { speed }]
     }
 
     fn refuse(&self, now: &Instant) -> Result<(), OutOfRange> {

@@ -54,9 +54,20 @@ impl Loads {
             (EntryModel::Similarity, Some(deadrise)) => SimilarityFlow::solve(deadrise),
             _ => None,
         };
+        Ok(Loads::tabled(model, section, flow))
+    }
+
+    /// Loads of a convex section on its way to a flow by boundary elements: the modified Logvinovich model, also with a flat keel, which is wet from
+    /// contact on.
+    pub fn before_flow(section: &Section) -> Loads {
+        Loads::tabled(EntryModel::Mlm, &section.convex(), None)
+    }
+
+    fn tabled(model: EntryModel, section: &Section, flow: Option<SimilarityFlow>) -> Loads {
         let b = section.half_breadth();
         let ratio = (WIDEST / FINEST).powf(1.0 / (NODES - 2) as f64);
-        let mut widths: Vec<f64> = (0..NODES - 1).map(|k| b * FINEST * ratio.powi(k as i32)).collect();
+        let flat = section.flat_keel().unwrap_or(0.0);
+        let mut widths: Vec<f64> = (0..NODES - 1).map(|k| flat + b * FINEST * ratio.powi(k as i32)).collect();
         widths.retain(|c| *c < 0.999 * b || *c > 1.001 * b && model != EntryModel::VonKarman);
         widths.insert(widths.partition_point(|c| *c < b), b); // loads have a corner where the chines get wet
         let mut loads = Loads { model, section: section.clone(), flow, table: Vec::new() };
@@ -67,9 +78,9 @@ impl Loads {
         let mut table: Vec<[f64; 4]> = widths.into_iter().map(row).collect();
         let [_, c, slam, mass] = table[0];
         let round = table[1][1] / c < 0.9 * table[1][0] / table[0][0]; // A of a round bottom does not begin with nothing
-        table.insert(0, [0.0, 0.0, if round { slam } else { 0.0 }, mass]);
+        table.insert(0, [0.0, flat, if round || flat > 0.0 { slam } else { 0.0 }, mass]);
         loads.table = table;
-        Ok(loads)
+        loads
     }
 
     /// The theory.

@@ -1,5 +1,7 @@
 //! Which bottoms each model holds for; the deadrises of boundary elements stand in `model`.
 
+use faer::c64;
+
 use super::curve::Piece;
 use super::model::{EntryModel, OutOfRange};
 use super::section::{KNUCKLE, Section};
@@ -44,8 +46,12 @@ impl EntryModel {
                 let range = || format!("arcs of {LEAST_ARC_DEG} degrees and more, and round bottoms that end at {LEAST_CURVE_DEG}");
                 (end < least).then(|| (format!("{what} at {end:.1} degrees"), range()))
             }
-            EntryModel::BoundaryElement if section.flat_keel().is_some() => {
-                Some(("a flat keel".into(), "bottoms with a keel, or round ones".into()))
+            EntryModel::BoundaryElement if section.curve().is_some() && section.is_blunt() => {
+                let steepest = section.steepest_followed_deg();
+                (steepest < LEAST_CURVE_DEG).then(|| {
+                    let range = format!("flat keels of bottoms that come to {LEAST_CURVE_DEG} degrees");
+                    (format!("a bottom of {steepest:.1} degrees at most"), range)
+                })
             }
             EntryModel::BoundaryElement if !is_wedge => section.not_followed(reach).map(|what| {
                 let range = format!(
@@ -54,6 +60,11 @@ impl EntryModel {
                 (what, range)
             }),
             _ if section.flat_keel().is_some() => Some(("a flat keel".into(), "bottoms with a keel, or round ones".into())),
+            _ if section.meets_at_once() => {
+                let deadrise = section.slopes()[0].atan().to_degrees();
+                let range = "bottoms of 4 degrees and more next to their keel, or round ones".into();
+                Some((format!("one of {deadrise:.2} degrees"), range))
+            }
             _ if section.hollow().is_some() => {
                 let [x, depth] = section.hollow().unwrap_or_default().map(in_tenths_of_millimetres);
                 Some((format!("one with a hollow {depth} m deep at {x} m from the keel"), "convex bottoms".into()))
@@ -93,10 +104,33 @@ impl Section {
         &self.corners()[..=faces]
     }
 
-    /// The pieces of a bottom with curves up to there.
-    pub(super) fn followed_curve(&self) -> Vec<Piece> {
+    /// Its pieces up to there; knuckles are not rounded.
+    pub(super) fn followed_line(&self) -> Vec<Piece> {
         let end = self.followed_half_breadth() * (1.0 - 1e-9);
-        self.curve().unwrap_or_default().iter().take_while(|piece| piece.from.re < end).copied().collect()
+        let point = |[x, y]: [f64; 2]| c64::new(x, y);
+        match self.curve() {
+            Some(line) => line.iter().take_while(|piece| piece.from.re < end).copied().collect(),
+            None => self.followed().windows(2).map(|ends| Piece::straight(point(ends[0]), point(ends[1]))).collect(),
+        }
+    }
+
+    /// Has the bottom no keel about which a flow could begin: is it round, flat or nearly flat next to its keel? A wedge is none.
+    pub(super) fn is_blunt(&self) -> bool {
+        let [least, _] = EntryModel::BoundaryElement.deadrises();
+        let is_flat = || self.deadrise_deg().is_none() && self.slopes()[0] < (least - 1e-6).to_radians().tan();
+        self.is_round() || is_flat()
+    }
+
+    /// Angle of the first face, or of the first place of a curve, that needs no added keel [deg].
+    pub(super) fn first_steep_deg(&self) -> Option<f64> {
+        let [least, most] = EntryModel::BoundaryElement.deadrises();
+        let angles = self.followed_line().into_iter().filter(|piece| piece.last_angle().to_degrees() >= least - 1e-6);
+        angles.map(|piece| if piece.round { most } else { piece.angle.to_degrees() }).next()
+    }
+
+    /// Angle of the steepest place that is followed [deg].
+    pub(super) fn steepest_followed_deg(&self) -> f64 {
+        self.followed_line().iter().map(|piece| piece.last_angle().to_degrees()).fold(0.0, f64::max)
     }
 
     /// Is the bottom straight from the keel to where the flow leaves it?
@@ -124,7 +158,9 @@ impl Section {
         let [least, _] = EntryModel::BoundaryElement.deadrises();
         let angle = |k: usize| self.slopes()[k].atan().to_degrees();
         let faces = self.followed().len() - 1;
-        let flat = (0..faces).find(|k| angle(*k) < least - 1e-6);
+        // flatter faces next to the keel are followed where a steeper one comes after them
+        let first = (0..faces).find(|k| angle(*k) >= least - 1e-6).unwrap_or(0);
+        let flat = (first..faces).find(|k| angle(*k) < least - 1e-6);
         let steep = (faces == 0).then_some(0);
         let further = faces < self.slopes().len() && faces > 0;
         let bend = further.then(|| angle(faces) - angle(faces - 1)).filter(|turn| *turn < LEAST_CHINE_DEG);

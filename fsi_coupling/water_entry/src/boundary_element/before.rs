@@ -1,7 +1,7 @@
-//! The load before a flow by boundary elements can be followed (THEORY EN20, EN30).
+//! The load before a flow by boundary elements can be followed (THEORY EN20, EN30, EN50).
 
 use super::super::loads::{Load, Loads};
-use super::super::model::{EntryModel, OutOfRange};
+use super::super::model::OutOfRange;
 use super::super::section::Section;
 use super::solution::FlowLoad;
 use super::state::EntryFlow;
@@ -12,6 +12,8 @@ const PLACES: usize = 200;
 /// added keel is wet [-].
 const ROUND: [f64; 2] = [0.02, 0.04];
 const CURVED: [f64; 2] = [1.2, 2.4];
+/// The half widths between which it does under a flat or nearly flat keel, over that of the added keel [-].
+const FLAT: [f64; 2] = [1.2, 1.4];
 
 /// The load at small draughts.
 pub(super) enum Before {
@@ -30,9 +32,10 @@ impl Before {
             None if section.is_round() => {
                 CURVED.map(|share| share * section.wagner_draught(flow.face.keel_half_width()))
             }
+            None if section.is_blunt() => FLAT.map(|share| section.wagner_draught(share * flow.face.keel_half_width())),
             None => return Ok(Before::Similar(flow.load(), [flow.draught(), flow.speed()])),
         };
-        Ok(Before::Round(Box::new(Loads::new(EntryModel::Mlm, &section.convex())?), gravity, between))
+        Ok(Before::Round(Box::new(Loads::before_flow(section)), gravity, between))
     }
 
     /// At a draught h [m] and a downward speed V [m/s].
@@ -50,6 +53,14 @@ impl Before {
                     pressure: (0..=PLACES).map(|k| at(place(k))).collect(),
                 }
             }
+        }
+    }
+
+    /// Power of the draughts before the flow: under a flat keel A begins as h^{−1/3}.
+    pub fn grading(&self) -> i32 {
+        match self {
+            Before::Round(loads, ..) if loads.section().flat_keel().is_some() => 3,
+            _ => 1,
         }
     }
 

@@ -1,8 +1,8 @@
-//! Flow about a bottom that bends: what its motion gives the water, and the step of both (THEORY EN50–EN52).
+//! Flow about a bottom that bends: what its motion gives the water, and the step of both (THEORY EN51–EN53).
 
 use faer::c64;
 
-use super::super::model::OutOfRange;
+use super::super::model::{EntryModel, OutOfRange};
 use super::super::section::Section;
 use super::FlowEnded;
 use super::cauchy::{Complex, Contour};
@@ -13,8 +13,6 @@ use super::state::EntryFlow;
 
 /// Draught at which the flow about a bottom that bends begins, over that at which its chines are wet [-].
 const BEGIN: f64 = 0.08;
-/// Angle of the keel that is added to a round one [deg].
-const KEEL_DEG: f64 = 10.0;
 /// Elements next to the jet, over those about a rigid bottom [-]: stress and deflection change by 0.6 %.
 const JET: f64 = 1.5;
 
@@ -29,7 +27,7 @@ pub(super) struct Bending {
 }
 
 impl Bending {
-    /// EN51: ψ_t at node k of the face, where the water has a velocity [m²/s²].
+    /// EN52: ψ_t at node k of the face, where the water has a velocity [m²/s²].
     pub fn rate_of_psi(&self, k: usize, water: c64) -> f64 {
         let body = self.velocity[k];
         self.rate[k] + body.re * water.im - body.im * water.re
@@ -55,7 +53,7 @@ pub trait BendingBottom {
     /// Its motion at a time from now [s].
     fn motion(&self, ahead: f64) -> BottomMotion;
 
-    /// EN52: advance by `dt` [s] under the water's load, found together with its accelerations.
+    /// EN53: advance by `dt` [s] under the water's load, found together with its accelerations.
     ///
     /// # Errors
     /// The structure's.
@@ -115,7 +113,7 @@ pub enum BendingStepError<E> {
 }
 
 impl EntryFlow {
-    /// EN50, EN51 at nodes of the face, at distances from the keel along it.
+    /// EN51, EN52 at nodes of the face, at distances from the keel along it.
     pub(super) fn bending(&self, along: &[f64]) -> Bending {
         let places: Vec<c64> = along.iter().map(|s| self.face.place(*s).z).collect();
         let psi = streamed(along, &places, |s| self.face.velocity(s));
@@ -132,12 +130,19 @@ impl EntryFlow {
     /// `draught` [m] where that is later.
     ///
     /// # Errors
-    /// As [`EntryFlow::new`].
+    /// As [`EntryFlow::new`]; a bottom without a keel.
     pub fn before_bending(section: &Section, draught: f64, speed: f64, gravity: f64) -> Result<EntryFlow, OutOfRange> {
         let wet = section.wagner_draught(section.followed_half_breadth());
         let of_gravity = LATEST_UNDER_GRAVITY * speed * speed / gravity.max(f64::MIN_POSITIVE);
-        let first = EntryFlow::first_draught(section, KEEL_DEG).unwrap_or((BEGIN * wet).min(of_gravity));
-        let mut flow = EntryFlow::with_keel(section, first.max(draught), speed, gravity, KEEL_DEG)?;
+        if section.is_blunt() {
+            return Err(OutOfRange {
+                what: "one without a keel, which bends at the first contact".into(),
+                range: "bottoms with a keel that bend".into(),
+                next: EntryModel::Wcsph,
+            });
+        }
+        let first = (BEGIN * wet).min(of_gravity);
+        let mut flow = EntryFlow::new(section, first.max(draught), speed, gravity)?;
         flow.sizes.jet *= JET;
         Ok(flow)
     }
@@ -170,7 +175,7 @@ impl EntryFlow {
         self
     }
 
-    /// EN52: one step of water and bottom together, no longer than `longest` [s]. Returns the step [s].
+    /// EN53: one step of water and bottom together, no longer than `longest` [s]. Returns the step [s].
     ///
     /// # Errors
     /// A flow that breaks up, or the structure's; the flow before the step is kept.

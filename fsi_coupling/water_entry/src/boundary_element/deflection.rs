@@ -1,4 +1,4 @@
-//! A bottom that bends: displacement and velocity against its rigid line (THEORY EN50).
+//! A bottom that bends: displacement and velocity against its rigid line (THEORY EN51).
 
 use faer::c64;
 

@@ -3,6 +3,7 @@
 use super::super::entry::{Instant, SectionMotion};
 use super::super::model::{EntryModel, OutOfRange};
 use super::super::section::Section;
+use super::AddedKeel;
 use super::before::Before;
 use super::solution::FlowLoad;
 use super::state::EntryFlow;
@@ -17,8 +18,11 @@ pub(super) const LATEST: f64 = 0.5;
 pub(super) const LATEST_UNDER_GRAVITY: f64 = 0.02;
 /// Angle of the keel that is added to a round bottom [deg].
 pub(super) const KEEL_DEG: f64 = 15.0;
-/// Those that are tried one after the other under a bottom given by points: flat ones need a steeper keel [deg].
+/// Those that are tried one after the other under another blunt bottom: flat ones need a steeper keel [deg].
 const KEELS_DEG: [f64; 3] = [KEEL_DEG, 20.0, 25.0];
+/// Half width of the first flow about a blunt bottom, over that of its keel: a round one, and those that are tried under a flat keel [-].
+const FIRST_WIDTHS: [f64; 3] = [0.8, 0.6, 0.8];
+const ROUND_KEEL: AddedKeel = AddedKeel { deg: KEEL_DEG, first: FIRST_WIDTHS[0] };
 /// Steps before the flow begins.
 const STEPS_BEFORE: usize = 64;
 /// Share of the speed at contact below which the wedge counts as stopped.
@@ -48,6 +52,12 @@ pub struct FlowEntry<'a> {
 /// A section at the times asked for as far as its flow was followed, its steps, and why not further.
 pub type Followed = (Vec<Instant>, FlowHistory, Option<OutOfRange>);
 
+/// The same, and whether the flow ended because it broke up.
+struct Found {
+    followed: Followed,
+    breaks_up: bool,
+}
+
 /// A step of the motion.
 #[derive(Clone, Debug)]
 struct Step {
@@ -63,6 +73,7 @@ struct Step {
 pub struct FlowHistory {
     steps: Vec<Step>,
     times: Vec<f64>,
+    impulse_at_contact: f64,
 }
 
 impl FlowEntry<'_> {
@@ -75,26 +86,33 @@ impl FlowEntry<'_> {
     /// # Errors
     /// As [`EntryFlow::new`]; a flow that cannot be followed for two steps.
     pub fn solve(&self, times: &[f64]) -> Result<Followed, OutOfRange> {
-        let keels = if self.section.curve().is_some() { &KEELS_DEG[..] } else { &KEELS_DEG[..1] };
-        let mut best = self.solve_with(KEELS_DEG[0], times);
-        for keel in &keels[1..] {
-            let reached = |found: &Result<Followed, OutOfRange>| found.as_ref().map_or(0, |found| found.0.len());
-            if reached(&best) == times.len() {
+        let mut best: Option<Result<Found, OutOfRange>> = None;
+        let reached = |found: &Result<Found, OutOfRange>| found.as_ref().map_or(0, |found| found.followed.0.len());
+        EntryModel::BoundaryElement.covers(self.section, 0.0)?;
+        for keel in keels(self.section) {
+            let found = self.solve_with(keel, times);
+            // another keel does not help a flow that ended for a reason of its own
+            let is_last = found.as_ref().is_ok_and(|found| !found.breaks_up);
+            best = Some(match best {
+                Some(best) if reached(&best) >= reached(&found) => best,
+                _ => found,
+            });
+            if is_last {
                 break;
             }
-            let other = self.solve_with(*keel, times);
-            best = if reached(&other) > reached(&best) { other } else { best };
         }
-        best
+        best.unwrap_or_else(|| self.solve_with(ROUND_KEEL, times)).map(|found| found.followed)
     }
 
-    /// The same with a keel of an angle [deg] under a round bottom.
-    fn solve_with(&self, keel_deg: f64, times: &[f64]) -> Result<Followed, OutOfRange> {
+    /// The same with a keel under a blunt bottom.
+    fn solve_with(&self, keel: AddedKeel, times: &[f64]) -> Result<Found, OutOfRange> {
         let end = times.last().copied().unwrap_or(0.0);
         let start = [self.draught, self.speed];
-        let [g, in_air, at_contact] = contact(self.motion, start, self.gravity);
-        let begin = self.begin(at_contact, end - in_air, g, keel_deg);
-        let mut flow = EntryFlow::with_keel(self.section, begin, at_contact, self.gravity, keel_deg)?;
+        let [g, in_air, in_fall] = contact(self.motion, start, self.gravity);
+        let kept = if self.draught <= 0.0 { self.motion.kept_at_contact(self.section, self.density) } else { 1.0 };
+        let at_contact = kept * in_fall;
+        let begin = self.begin(at_contact, end - in_air, g, keel);
+        let mut flow = EntryFlow::with_keel(self.section, begin, at_contact, self.gravity, keel)?;
         let calm = EntryFlow { gravity: 0.0, ..flow.clone() };
         let before = Before::new(self.section, &calm, self.gravity)?;
 
@@ -107,7 +125,7 @@ impl FlowEntry<'_> {
             let (load, rate) = (|h: f64, v: f64| before.load(h, v), |load: &FlowLoad| self.rate(load));
             let keep =
                 |state: [f64; 4], load: &FlowLoad| steps.push(self.step_of(state, load, [load.half_breadth(); 2]));
-            [time, speed] = until_the_flow(begin, [in_air, at_contact], load, rate, keep);
+            [time, speed] = until_the_flow(begin, before.grading(), [in_air, at_contact], load, rate, keep);
             flow = flow.at_speed(speed);
         }
         steps.extend(self.followed(flow, &before, time, end, STOPPED * at_contact));
@@ -118,35 +136,42 @@ impl FlowEntry<'_> {
                 next: EntryModel::Wcsph,
             });
         }
-        let history = FlowHistory { times: steps.iter().map(|step| step.now.time).collect(), steps };
+        let touches = self.draught <= 0.0;
+        let mass = if touches { self.density * self.section.mass_at_contact() } else { 0.0 };
+        let history = FlowHistory {
+            times: steps.iter().map(|step| step.now.time).collect(),
+            steps,
+            impulse_at_contact: mass * at_contact,
+        };
         let reached = history.times.last().copied().unwrap_or(0.0);
         let instants: Vec<Instant> =
             times.iter().take_while(|time| **time <= reached).map(|time| history.at(*time)).collect();
-        let over = (instants.len() < times.len()).then(|| {
-            let now = history.steps[history.steps.len() - 1].now;
-            let at = format!("from t = {:.4} s on, at a draught of {:.4} m", now.time, now.draught);
-            if let Err(OutOfRange { what, range, next }) = EntryModel::BoundaryElement.covers(self.section, now.wetted)
-            {
-                return OutOfRange { what: format!("{what}, {at}"), range, next };
-            }
-            let why = match now {
-                _ if now.draught > self.deepest() => "one deeper than its breadth",
-                _ if now.speed < NEARLY_STOPPED * at_contact => "one that leaves the water",
-                _ => "one whose flow breaks up",
-            };
-            OutOfRange {
-                what: format!("{why} {at}"),
-                range: "sections on their way down, to a draught of their breadth".into(),
-                next: EntryModel::Wcsph,
-            }
-        });
-        Ok((instants, history, over))
+        if instants.len() == times.len() {
+            return Ok(Found { followed: (instants, history, None), breaks_up: false });
+        }
+        let now = history.steps[history.steps.len() - 1].now;
+        let at = format!("from t = {:.4} s on, at a draught of {:.4} m", now.time, now.draught);
+        if let Err(OutOfRange { what, range, next }) = EntryModel::BoundaryElement.covers(self.section, now.wetted) {
+            let over = OutOfRange { what: format!("{what}, {at}"), range, next };
+            return Ok(Found { followed: (instants, history, Some(over)), breaks_up: false });
+        }
+        let (why, breaks_up) = match now {
+            _ if now.draught > self.deepest() => ("one deeper than its breadth", false),
+            _ if now.speed < NEARLY_STOPPED * at_contact => ("one that leaves the water", false),
+            _ => ("one whose flow breaks up", true),
+        };
+        let over = OutOfRange {
+            what: format!("{why} {at}"),
+            range: "sections on their way down, to a draught of their breadth".into(),
+            next: EntryModel::Wcsph,
+        };
+        Ok(Found { followed: (instants, history, Some(over)), breaks_up })
     }
 
     /// The draught at which the flow begins [m]: a wedge's from a share of that at which its chines are wet, or at which it would be after
     /// the time `left` [s] in the water.
-    fn begin(&self, at_contact: f64, left: f64, g: f64, keel_deg: f64) -> f64 {
-        match (self.draught, EntryFlow::first_draught(self.section, keel_deg)) {
+    fn begin(&self, at_contact: f64, left: f64, g: f64, keel: AddedKeel) -> f64 {
+        match (self.draught, EntryFlow::first_draught(self.section, keel)) {
             (draught, first) if draught > 0.0 => draught.max(first.unwrap_or(0.0)),
             (_, Some(first)) => first,
             (draught, None) => {
@@ -208,6 +233,18 @@ impl FlowEntry<'_> {
     }
 }
 
+/// The keels that are tried under a section, none steeper than its steepest place, and the first no steeper than the first face that needs no keel.
+pub(super) fn keels(section: &Section) -> Vec<AddedKeel> {
+    if section.radius().is_some() || !section.is_blunt() {
+        return vec![ROUND_KEEL];
+    }
+    let first = section.first_steep_deg().unwrap_or(KEEL_DEG).min(KEEL_DEG);
+    let others = KEELS_DEG[1..].iter().copied().filter(|keel| *keel < section.steepest_followed_deg());
+    let widths = if section.is_round() { &FIRST_WIDTHS[..1] } else { &FIRST_WIDTHS[1..] };
+    let angles = std::iter::once(first).chain(others);
+    angles.flat_map(|deg| widths.iter().map(move |first| AddedKeel { deg, first: *first })).collect()
+}
+
 /// The share at which the flow about a wedge begins, by its motion and gravity in the water [m/s²].
 pub(super) fn begin(motion: SectionMotion, gravity: f64) -> f64 {
     let is_similar = matches!(motion, SectionMotion::Constant) && gravity == 0.0;
@@ -237,18 +274,23 @@ pub(super) fn rate(motion: SectionMotion, gravity: f64, density: f64, [force, ad
     }
 }
 
-/// From contact at [time, speed] to the draught `begin` [m] under the `load` at a draught and a speed: midpoint rule in the draught. `keep` takes
-/// time, draught, speed and acceleration with the load. Returns time and speed at the end.
+/// From contact at [time, speed] to the draught `begin` [m] under the `load` at a draught and a speed: midpoint rule in the draught, whose steps are
+/// even or graded by a power. `keep` takes time, draught, speed and acceleration with the load. Returns time and speed at the end.
 pub(super) fn until_the_flow<L>(
     begin: f64,
+    grading: i32,
     [mut time, mut speed]: [f64; 2],
     load: impl Fn(f64, f64) -> L,
     rate: impl Fn(&L) -> f64,
     mut keep: impl FnMut([f64; 4], &L),
 ) -> [f64; 2] {
-    let dh = begin / STEPS_BEFORE as f64;
+    let even = begin / STEPS_BEFORE as f64;
+    let graded = |k: usize| begin * (k as f64 / STEPS_BEFORE as f64).powi(grading);
     for k in 0..STEPS_BEFORE {
-        let draught = dh * k as f64;
+        let [draught, dh] = match grading {
+            1 => [even * k as f64, even],
+            _ => [graded(k), graded(k + 1) - graded(k)],
+        };
         let now = load(draught, speed);
         let at_start = rate(&now);
         keep([time, draught, speed, at_start], &now);
@@ -261,6 +303,11 @@ pub(super) fn until_the_flow<L>(
 }
 
 impl FlowHistory {
+    /// EN50: impulse that a flat keel gives the water at contact [N s/m], which no force here contains; 0 of other bottoms.
+    pub fn impulse_at_contact(&self) -> f64 {
+        self.impulse_at_contact
+    }
+
     /// The section at a time [s], linear between steps.
     fn at(&self, time: f64) -> Instant {
         let (k, share) = self.between(time);

@@ -19,6 +19,8 @@ const SMOOTH: f64 = 1e-6;
 const SHARP: f64 = 3.0 * std::f64::consts::PI / 180.0;
 /// Repetitions of the search for the nearest place of a bent bottom.
 const UNBENT: usize = 3;
+/// Largest speed of an added keel over that of the bottom: under a flat keel it would begin without bound [-].
+const FASTEST: f64 = 1.7;
 
 /// A bottom at rest in its own axes, whose keel is at −i draught.
 #[derive(Clone, Debug)]
@@ -40,6 +42,8 @@ struct Added {
     to: Rounded,
     /// Half width of the keel [m].
     least: f64,
+    /// Half width from which the wetted width grows as without the keel [m].
+    from: f64,
 }
 
 /// What it was added to.
@@ -81,7 +85,8 @@ impl Face {
             round: true,
         };
         let to = Rounded::Arc { area: 0.5 * radius * radius * (keel.tan() - keel), radius };
-        let added = Added { to, least: radius * keel.sin() };
+        let least = radius * keel.sin();
+        let added = Added { to, least, from: least };
         Face {
             pieces: vec![tangent.pieces[0], arc],
             draught: 0.0,
@@ -91,22 +96,23 @@ impl Face {
         }
     }
 
-    /// A bottom with curves, whose knuckles are rounded (THEORY EN39), as far as the flow follows it; the lowest part of a round one is replaced by
-    /// its tangents at the angle `keel` [rad].
+    /// A bottom with curves, whose knuckles are rounded (THEORY EN39), as far as the flow follows it; the lowest part of a blunt one is replaced by
+    /// its tangents at the angle `keel` [rad], or by lines at that angle from the knuckle at which it gets steeper.
     pub fn curved(section: &Section, keel: f64) -> Face {
-        let mut line: Vec<Piece> = section.followed_curve();
+        let mut line: Vec<Piece> = section.followed_line();
         let mut added = None;
-        if section.is_round() {
-            let first = line.iter().position(|piece| piece.last_angle() > keel).unwrap_or(line.len() - 1);
+        if section.is_blunt() {
+            // a straight face is touched where it begins
+            let reaches = |p: &Piece| p.last_angle() > if p.curvature == 0.0 { keel - SMOOTH } else { keel };
+            let first = line.iter().position(reaches).unwrap_or(line.len() - 1);
             let piece = line[first];
-            let turned = if piece.angle < keel { (keel - piece.angle) / piece.curvature } else { 0.0 };
+            let turned = if piece.angle < keel - SMOOTH { (keel - piece.angle) / piece.curvature } else { 0.0 };
             line[first] = piece.part(turned, piece.length);
             let touched = line[first].from;
             let lowest = c64::new(0.0, touched.im - touched.re * keel.tan());
             line.splice(..first, [Piece::straight(lowest, touched)]);
             line.iter_mut().for_each(|piece| piece.from -= lowest);
-            let with = section.with_keel(touched.re, keel.tan());
-            added = Some(Added { to: Rounded::Curve(Box::new([section.clone(), with])), least: touched.re });
+            added = Some(Added::to(section, touched.re, keel));
         }
         Face { pieces: rounded(&placed(line)), draught: 0.0, left_at: f64::INFINITY, added, bent: None }
     }
@@ -277,17 +283,38 @@ impl Face {
         self.pieces[0].direction.im > 1e-6
     }
 
-    /// EN30: speed of the keel over that of the bottom, so that the wetted half width `c` [m] of Wagner (1932) grows as without the added keel.
+    /// EN30, EN50: speed of the keel over that of the bottom, so that the wetted half width `c` [m] of Wagner (1932) grows as without the added keel.
     pub fn keel_speed(&self, c: f64) -> f64 {
-        let Some(Added { to, least }) = &self.added else { return 1.0 };
-        let c = c.max(*least);
-        match to {
-            Rounded::Arc { area, radius } => 1.0 + 4.0 * area * radius / (std::f64::consts::PI * c.powi(3)),
-            Rounded::Curve(sections) => {
-                let [without, with] = sections.each_ref().map(|section| section.wagner_slope(c));
-                with / without
+        self.added.as_ref().map_or(1.0, |added| added.speed(c))
+    }
+
+    /// The draught of the bottom at which the wetted half width `c` [m] of Wagner (1932), up to that of the added keel, is wet under its keel. A flat
+    /// bottom, wet at once, has not touched the water there: below nothing.
+    pub fn draught_of(&self, section: &Section, c: f64) -> f64 {
+        match &self.added {
+            Some(Added { to: Rounded::Curve(sections), least, from }) if from > least => {
+                let [without, with] = sections.each_ref();
+                let way = with.wagner_draught(*from) - with.wagner_draught(c);
+                without.wagner_draught(*from) - way / self.keel_speed(*from)
             }
+            _ => section.wagner_draught(c),
         }
+    }
+
+    /// Height of a flat or nearly flat bottom over still water at the distance `x` from the plane of symmetry and a draught [m], without its added
+    /// keel; `None` of others.
+    pub fn level(&self, x: f64, draught: f64) -> Option<f64> {
+        match &self.added {
+            Some(Added { to: Rounded::Curve(sections), .. }) if !sections[0].is_round() => {
+                Some(sections[0].height(x) - draught)
+            }
+            _ => None,
+        }
+    }
+
+    /// Half width from which the wetted width grows as without the added keel [m]; 0 without one.
+    pub fn grows_from(&self) -> f64 {
+        self.added.as_ref().map_or(0.0, |added| added.from)
     }
 
     /// Angle to the water of the straight face with the same jet (Wagner 1932), wet to a distance from the keel [m]:
@@ -297,6 +324,29 @@ impl Face {
         let weights = (0..PLACES).map(|k| ((k as f64 + 0.5) * step).sin());
         let total: f64 = weights.clone().sum();
         weights.map(|w| w * self.angle(along * w)).sum::<f64>() / total
+    }
+}
+
+impl Added {
+    /// A keel of an angle [rad] under a bottom, up to a half width [m].
+    fn to(section: &Section, least: f64, keel: f64) -> Added {
+        let to = Rounded::Curve(Box::new([section.clone(), section.with_keel(least, keel.tan())]));
+        let mut added = Added { to, least, from: least };
+        while added.speed(added.from) > FASTEST {
+            added.from *= 1.005;
+        }
+        added
+    }
+
+    fn speed(&self, c: f64) -> f64 {
+        let c = c.max(self.from);
+        match &self.to {
+            Rounded::Arc { area, radius } => 1.0 + 4.0 * area * radius / (std::f64::consts::PI * c.powi(3)),
+            Rounded::Curve(sections) => {
+                let [without, with] = sections.each_ref().map(|section| section.wagner_slope(c));
+                with / without
+            }
+        }
     }
 }
 

@@ -35,7 +35,7 @@ pub use solution::FlowLoad;
 pub use state::EntryFlow;
 
 use elements::{Sizes, arc_length};
-use entry::{BEGIN, KEEL_DEG, LATEST};
+use entry::{BEGIN, LATEST, keels};
 use face::Face;
 use lower_side::LowerSide;
 use solution::{Solution, Solved, SymmetricSolution};
@@ -50,8 +50,6 @@ use super::similarity::SimilarityFlow;
 const DRAUGHT_GROWTH: f64 = 0.03;
 /// Distance to which the free surface reaches, over half the wetted breadth, at the start.
 const FAR: f64 = 240.0;
-/// Half width of the first flow about a round bottom, over that of its keel [-].
-const FIRST_WIDTH: f64 = 0.8;
 /// Length beyond the chine at which the jet's end leaves it, over the finest element.
 const PASSED: f64 = 2.0;
 
@@ -60,6 +58,15 @@ const DETACHED: f64 = 4.0;
 
 /// Depth of a node in the bottom from which that is wet again, over the length of its element.
 const INSIDE: f64 = 0.05;
+
+/// A keel that is added to a blunt bottom.
+#[derive(Clone, Copy, Debug)]
+struct AddedKeel {
+    /// Its angle [deg].
+    deg: f64,
+    /// Half width of the first flow, over that of the keel [-].
+    first: f64,
+}
 
 /// The flow cannot be followed further.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -79,16 +86,16 @@ impl EntryFlow {
     /// A section that is neither a wedge of [`BOUNDARY_ELEMENT_DEADRISES`] nor an arc nor a polygon of such faces; a draught or a speed that is not above zero; of a round
     /// bottom a draught below the first; wet chines.
     pub fn new(section: &Section, draught: f64, speed: f64, gravity: f64) -> Result<EntryFlow, OutOfRange> {
-        EntryFlow::with_keel(section, draught, speed, gravity, KEEL_DEG)
+        EntryFlow::with_keel(section, draught, speed, gravity, keels(section)[0])
     }
 
-    /// The same with a keel of an angle [deg] under a round bottom.
+    /// The same with a keel under a blunt bottom.
     fn with_keel(
         section: &Section,
         draught: f64,
         speed: f64,
         gravity: f64,
-        keel_deg: f64,
+        keel: AddedKeel,
     ) -> Result<EntryFlow, OutOfRange> {
         EntryModel::BoundaryElement.covers(section, 0.0)?;
         let refused =
@@ -97,7 +104,7 @@ impl EntryFlow {
             let range = "draughts and downward speeds above zero";
             return refused(format!("a draught of {draught} m and a speed of {speed} m/s"), range);
         }
-        let Some(mut flow) = EntryFlow::first(section, draught, speed, keel_deg) else {
+        let Some(mut flow) = EntryFlow::first(section, draught, speed, keel) else {
             let deadrise = section.slope(0.0).atan().to_degrees();
             return refused(format!("a deadrise of {deadrise:.2} degrees"), "deadrises with a similarity solution");
         };
@@ -106,7 +113,7 @@ impl EntryFlow {
             let range = "sections with dry chines at the start";
             return refused(format!("one of {} m of breadth at a draught of {draught} m", 2.0 * half_breadth), range);
         }
-        if !section.is_round() {
+        if !section.is_blunt() {
             // a wedge's flow begins at any draught
             flow = if section.is_followed_as_wedge() { flow.scaled_to(draught) } else { flow };
         } else if draught < flow.draught {
@@ -127,15 +134,21 @@ impl EntryFlow {
 
     /// The first flow about a section on its way to a draught [m], at a downward speed [m/s]: of a wedge, at any draught; of a round bottom with a
     /// keel of an angle [deg].
-    fn first(section: &Section, draught: f64, speed: f64, keel_deg: f64) -> Option<EntryFlow> {
+    fn first(
+        section: &Section,
+        draught: f64,
+        speed: f64,
+        AddedKeel { deg: keel_deg, first }: AddedKeel,
+    ) -> Option<EntryFlow> {
         let mut far = FAR;
         let (face, keel, draught, of_section) = match section.radius() {
-            None if section.is_round() => {
+            None if section.is_blunt() => {
                 let keel = keel_deg.to_radians();
                 let face = Face::curved(section, keel);
-                let c = FIRST_WIDTH * face.keel_half_width();
+                let c = first * face.keel_half_width();
                 far = far.max(BEGIN * FAR * section.followed_half_breadth() / c);
-                (face, keel_deg, FRAC_2_PI * keel.tan() * c, section.wagner_draught(c))
+                let draught = face.draught_of(section, c);
+                (face, keel_deg, FRAC_2_PI * keel.tan() * c, draught)
             }
             None => {
                 let (keel, [x, y]) = (section.slope(0.0).atan(), section.first_face());
@@ -150,7 +163,7 @@ impl EntryFlow {
             }
             Some(radius) => {
                 let keel = keel_deg.to_radians();
-                let c = FIRST_WIDTH * radius * keel.sin();
+                let c = first * radius * keel.sin();
                 let face = Face::arc(radius, (section.half_breadth() / radius).min(1.0).asin(), keel);
                 (face, keel_deg, FRAC_2_PI * keel.tan() * c, section.wagner_draught(c))
             }
@@ -158,7 +171,9 @@ impl EntryFlow {
         let face = face.at_draught(draught);
         let sizes = if section.is_followed_as_wedge() { Sizes::WEDGE } else { Sizes::BENT };
         let similar = SimilarityFlow::solve(keel)?;
-        let surface = FreeSurface::similar(&similar, draught, speed, far / keel.to_radians().tan());
+        // under a flat keel the first flow is that of the keel at its own speed
+        let at_keel = if section.is_round() { speed } else { speed * face.keel_speed(0.0) };
+        let surface = FreeSurface::similar(&similar, draught, at_keel, far / keel.to_radians().tan());
         let surface = surface.redistributed(LowerSide { face: &face, underside: None, sizes });
         Some(EntryFlow {
             surface,
@@ -174,11 +189,15 @@ impl EntryFlow {
     }
 
     /// The draught at which the flow about a round bottom begins [m]; `None` for a wedge.
-    fn first_draught(section: &Section, keel_deg: f64) -> Option<f64> {
-        let keel = keel_deg.to_radians();
+    fn first_draught(section: &Section, AddedKeel { deg, first }: AddedKeel) -> Option<f64> {
+        let keel = deg.to_radians();
         let half_width = match section.radius() {
-            Some(radius) => FIRST_WIDTH * radius * keel.sin(),
-            None if section.is_round() => FIRST_WIDTH * Face::curved(section, keel).keel_half_width(),
+            Some(radius) => first * radius * keel.sin(),
+            None if section.is_blunt() => {
+                let face = Face::curved(section, keel);
+                let (least, from) = (face.keel_half_width(), face.grows_from());
+                if from > least { from } else { first * least }
+            }
             None => return None,
         };
         Some(section.wagner_draught(half_width))

@@ -107,8 +107,12 @@ impl EntryFlow {
         contour.solve(&mut per_acceleration);
 
         let pressure_at = |k: usize| {
-            let steady = rate.phi[k] + 0.5 * on_body[k - contact].norm_sqr() + self.gravity * nodes[k].im;
-            [nodes[k].re, -steady * self.speed / speed, -per_acceleration.phi[k]]
+            let moving = rate.phi[k] + 0.5 * on_body[k - contact].norm_sqr();
+            let steady = match self.face.level(nodes[k].re, self.draught) {
+                None => (moving + self.gravity * nodes[k].im) * self.speed / speed,
+                Some(level) => moving * self.speed / speed + self.gravity * level,
+            };
+            [nodes[k].re, -steady, -per_acceleration.phi[k]]
         };
         let mut pressure: Vec<[f64; 3]> = (contact..n).map(pressure_at).collect();
         self.follow_keel_law(along, &mut pressure);

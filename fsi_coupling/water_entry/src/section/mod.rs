@@ -174,6 +174,16 @@ impl Section {
         (!self.is_round() && self.slopes[0] < LEVEL).then(|| self.corners[1][0])
     }
 
+    /// Is the bottom next to its keel so flat that it meets water nearly at once, with a peak of sound or of trapped air?
+    pub fn meets_at_once(&self) -> bool {
+        !self.is_round() && self.slopes[0] < 0.999 * LEAST_DEADRISE_DEG.to_radians().tan()
+    }
+
+    /// Added mass over the density at contact, M = ½πf² of a flat keel, half as wide as f (von Karman 1929); 0 of other bottoms [m²].
+    pub fn mass_at_contact(&self) -> f64 {
+        self.flat_keel().map_or(0.0, |f| std::f64::consts::FRAC_PI_2 * f * f)
+    }
+
     /// The same bottom whose part up to a half width [m] is replaced by a face of a slope.
     pub(super) fn with_keel(&self, half_width: f64, slope: f64) -> Section {
         let beyond = self.corners.iter().filter(|c| c[0] > half_width * (1.0 + 1e-9));
@@ -191,8 +201,8 @@ impl Section {
     }
 
     fn steep_enough(self) -> Result<Section, OutOfRange> {
-        let has_keel = !self.is_round() && self.flat_keel().is_none();
-        match has_keel && self.slopes[0] < 0.999 * LEAST_DEADRISE_DEG.to_radians().tan() {
+        let is_wedge = self.deadrise_deg().is_some() && self.flat_keel().is_none();
+        match is_wedge && self.meets_at_once() {
             true => Err(OutOfRange::not_a_section("a deadrise below 4 degrees")),
             false => Ok(self),
         }

@@ -74,7 +74,8 @@ fn flow_seconds(scene: &Scene, theory: &Theory) -> f64 {
         Some([left, right]) => ROLLED * of_face(OF_WEDGE, left.min(right)),
         None if theory.section.is_round() => OF_ROUND,
         None => {
-            let deadrises: Vec<f64> = theory.section.followed_deadrises().collect();
+            let [least, _] = water_entry::BOUNDARY_ELEMENT_DEADRISES;
+            let deadrises: Vec<f64> = theory.section.followed_deadrises().filter(|face| *face >= least).collect();
             let of_flow = match deadrises.len() {
                 _ if scene.body.as_ref().is_some_and(Body::bends) => OF_BENDING,
                 1 => OF_WEDGE,

@@ -1,4 +1,4 @@
-//! A body whose bottom bends, in water that boundary elements follow (THEORY EN50–EN52).
+//! A body whose bottom bends, in water that boundary elements follow (THEORY EN51–EN53).
 
 use std::collections::BTreeMap;
 
@@ -6,7 +6,9 @@ use fsi_coupling::{BendingEntry, BottomPressure};
 use scene::validity::panels::StressPeak;
 use scene::{Body, Motion, Scene, Symmetry, rows};
 use settings::significant;
-use water_entry::{BOUNDARY_ELEMENT_DEADRISES, Entry, EntryFlow, EntryModel, Instant, Loads, OutOfRange, Section, SectionMotion};
+use water_entry::{
+    BOUNDARY_ELEMENT_DEADRISES, Entry, EntryFlow, EntryModel, Instant, Loads, OutOfRange, Section, SectionMotion,
+};
 
 use crate::build::of_scene;
 use crate::observers::{modal_values, panel_values};
@@ -57,7 +59,7 @@ impl BendingFlow {
     pub fn check(scene: &Scene, section: &Section) -> Result<(), OutOfRange> {
         let steep = section.slope(0.0).atan().to_degrees();
         match scene.symmetry {
-            Symmetry::X if !section.is_round() && steep >= BOUNDARY_ELEMENT_DEADRISES[0] => Ok(()),
+            Symmetry::X if steep >= BOUNDARY_ELEMENT_DEADRISES[0] => Ok(()),
             Symmetry::X => Err(refuse("one without a keel, which bends at the first contact".into())),
             _ => Err(refuse("a body that is simulated whole".into())),
         }

@@ -77,7 +77,7 @@ impl Theory {
         let times = sample_times(scene);
         let at_rest = if model.is_formula() { gravity } else { 0.0 };
         let (instants, source, end) = if model.is_formula() {
-            let loads = Loads::new(model, &if steep { section.convex() } else { section.clone() })?;
+            let loads = if steep { Loads::before_flow(&section) } else { Loads::new(model, &section)? };
             let entry = Entry { loads: &loads, motion, draught, speed, gravity, density, buoyancy: true, steep };
             let (instants, end) = entry.solve_while_in_range(&times);
             (instants, Source::Loads(loads), end)
@@ -188,6 +188,14 @@ impl Theory {
                 let of_entry = loads.pressure(x, draught, speed, rate, self.density)?;
                 Some(of_entry + self.density * at_rest)
             }
+        }
+    }
+
+    /// Impulse that a flat keel gives the water at contact [N s/m], which the forces do not contain.
+    pub fn impulse_at_contact(&self) -> f64 {
+        match &self.source {
+            Source::Flow(history) => history.impulse_at_contact(),
+            _ => 0.0,
         }
     }
 

@@ -159,17 +159,24 @@ fn results(body: &Body, theory: &Theory, bars: &ErrorBars, bandwidth: Option<f64
         forces.take(now.time, motion.force);
         accelerations.take(now.time, [motion.acceleration[1] / STANDARD_GRAVITY]);
     }
-    let quantity = |value: f64, time_s: Option<f64>, band: Option<f64>| {
-        let verdict = Verdict::Resolved;
+    // at the contact of a flat keel sound and air decide the peaks; the impulse does not depend on them
+    let of_peak = if theory.section.meets_at_once() { Verdict::Acoustic } else { Verdict::Resolved };
+    let with_verdict = |verdict: Verdict, value: f64, time_s: Option<f64>, band: Option<f64>| {
         Quantity { value, time_s, band, cutoff_hz: None, raw: value, verdict, allowed: None }.with_known_band()
     };
+    let quantity =
+        |value: f64, time_s: Option<f64>, band: Option<f64>| with_verdict(Verdict::Resolved, value, time_s, band);
     // an acceleration and an impulse are as good as the force
     let bar = bars.get(&format!("peaks/{}.fy_N_per_m/value", body.name));
     let share = bar.filter(|bar| bar.value != 0.0).map(|bar| bar.band / bar.value.abs());
     let peak = |raw: Option<Extreme>, mean: Option<Extreme>, subtracted: f64| {
         let (raw, peak) = (raw?, mean?);
         let band = share.map(|share| share * (peak.value + subtracted));
-        Some(Quantity { raw: raw.value, cutoff_hz: bandwidth, ..quantity(peak.value, Some(peak.time), band) })
+        Some(Quantity {
+            raw: raw.value,
+            cutoff_hz: bandwidth,
+            ..with_verdict(of_peak, peak.value, Some(peak.time), band)
+        })
     };
     let time = bandwidth.map(|bandwidth| CUTOFF / bandwidth);
     let mean = time.map_or(forces.largest(), |time| forces.largest_mean(time));
@@ -178,7 +185,7 @@ fn results(body: &Body, theory: &Theory, bars: &ErrorBars, bandwidth: Option<f64
     // formulas were measured on faces alone: their force past wet chines, and the impulse with it, was not
     let of_impulse = share.filter(|_| !(theory.wets_chines() && theory.model.is_formula()));
     let [x, y] = forces.total();
-    let impulse = x.hypot(y);
+    let impulse = x.hypot(y + theory.impulse_at_contact());
     let gauges = bars.iter().filter(|(path, _)| path.ends_with(".p_Pa/value"));
     let pressure = gauges.max_by(|(_, a), (_, b)| a.value.total_cmp(&b.value));
     let all = [

@@ -69,7 +69,7 @@ impl RolledEntry {
             let (end, rate) = (similar.load(), |load: &RolledLoad| self.rate(load));
             let load = |h: f64, v: f64| end.scaled(h / similar.draught(), v / similar.speed());
             let keep = |state: [f64; 4], load: &RolledLoad| instants.push(self.instant(state, load));
-            [time, speed] = until_the_flow(similar.draught(), [time, speed], load, rate, keep);
+            [time, speed] = until_the_flow(similar.draught(), 1, [time, speed], load, rate, keep);
         }
         let followed = instants.len();
         let flow = similar.at_speed(speed, self.gravity);
