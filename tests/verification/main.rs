@@ -14,6 +14,7 @@ mod ditching_parts;
 mod ditching_waves;
 mod echo;
 mod elliptic_drop;
+mod finite_length;
 mod flexible;
 mod following;
 mod force_rules;
