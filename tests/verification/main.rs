@@ -55,5 +55,6 @@ mod theory;
 mod thesis_projection;
 mod thin_walls;
 mod transfer;
+mod twin_hulls;
 mod wave_maker;
 mod wave_tank;
