@@ -113,7 +113,7 @@ fn a_bad_value_of_a_new_key_is_refused_with_line_key_given_and_expected() {
         (gauge("bandwidth = 0"), 17, &["`gauges[0].bandwidth` = 0", "expected a finite number above 0"]),
         (gauge("bandwidth = -50"), 17, &["`gauges[0].bandwidth` = -50", "expected a finite number above 0"]),
         (report("length = 0"), 15, &["`report.length` = 0", "expected a finite number above 0"]),
-        (report("length = \"long\""), 15, &["`report.length`", "long", "expected a number"]),
+        (report("length = \"long\""), 15, &["`report.length` = \"long\"", "expected a finite number above 0"]),
         (rule("takeoff_speed = -1"), 15, &["`rule.takeoff_speed` = -1", "expected a finite number above 0"]),
         (rule("takeoff_speed = 30\nk2 = 2.5"), 16, &["`rule.k2` = 2.5", "2"]),
         (rule("takeoff_speed = 30\nstep_deadrise_deg = 2"), 16, &["`rule.step_deadrise_deg` = 2", "expected a number from 4 to 60"]),

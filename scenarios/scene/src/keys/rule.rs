@@ -17,7 +17,7 @@ pub struct Rule {
     pub takeoff_speed: Option<f64>,
     /// Design take-off weight of the seaplane, as a mass, for the load factor of 25.531 [kg]. absent: it is not stated.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schemars(extend("exclusiveMinimum" = 0, "x-when" = "rule.takeoff_speed"))]
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub takeoff_mass: Option<f64>,
     /// Stalling speed V_S0 with landing flaps, without slipstream, for 25.527 and the distributed pressure of 25.533(c) [m/s]. absent: these are
     /// not stated.
