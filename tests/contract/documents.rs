@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 /// Chapters of the theory and the letters of their labels.
-const CHAPTERS: [(&str, &str); 10] = [
+const CHAPTERS: [(&str, &str); 11] = [
     ("operators", "OP"),
     ("weakly-compressible", "WC"),
     ("walls", "WA"),
@@ -13,6 +13,7 @@ const CHAPTERS: [(&str, &str); 10] = [
     ("beams", "BE"),
     ("coupling", "CO"),
     ("entry-models", "EN"),
+    ("rules-and-length", "RU"),
     ("gauges-and-errors", "GE"),
     ("appendix-2010", "LE"),
 ];

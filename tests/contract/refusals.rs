@@ -77,6 +77,8 @@ fn a_bad_value_of_a_new_key_is_refused_with_line_key_given_and_expected() {
         let water = "[tank]\nwidth = 2.0\ndepth = 1.0\n[body]";
         DROP.replace(free, &OSCILLATING.replace(from, to)).replace("[body]", water)
     };
+    let report = |line: &str| format!("{DROP}[report]\n{line}\n");
+    let rule = |line: &str| format!("{DROP}[rule]\n{line}\n");
     let gauge = |line: &str| format!("{DROP}[[gauges]]\nname = \"keel\"\nat = [0.0, 0.0]\n{line}\n");
     let coupling = |line: &str| DROP.replace("[body]", &format!("[coupling]\n{line}\n[body]"));
     let whole = "expected a whole number from 0 to 4294967295";
@@ -110,6 +112,18 @@ fn a_bad_value_of_a_new_key_is_refused_with_line_key_given_and_expected() {
         (gauge("length = \"wide\""), 17, &["`gauges[0].length`", "wide", "expected a number"]),
         (gauge("bandwidth = 0"), 17, &["`gauges[0].bandwidth` = 0", "expected a finite number above 0"]),
         (gauge("bandwidth = -50"), 17, &["`gauges[0].bandwidth` = -50", "expected a finite number above 0"]),
+        (report("length = 0"), 15, &["`report.length` = 0", "expected a finite number above 0"]),
+        (report("length = \"long\""), 15, &["`report.length` = \"long\"", "expected a finite number above 0"]),
+        (rule("takeoff_speed = -1"), 15, &["`rule.takeoff_speed` = -1", "expected a finite number above 0"]),
+        (rule("takeoff_speed = 30\nk2 = 2.5"), 16, &["`rule.k2` = 2.5", "2"]),
+        (rule("takeoff_speed = 30\nstep_deadrise_deg = 2"), 16, &["`rule.step_deadrise_deg` = 2", "expected a number from 4 to 60"]),
+        (rule("landing_speed = 30"), 14, &["`rule.landing_mass` is missing", "[kg]"]),
+        (rule("landing_mass = 2700"), 14, &["`rule.landing_speed` is missing", "V_S0"]),
+        (rule("takeoff_mass = 2700"), 14, &["`rule.takeoff_speed` is missing", "V_S1"]),
+        (rule("limit_load_factor = 3"), 14, &["`rule.rotorcraft_mass` is missing", "[kg]"]),
+        (rule("rotorcraft_mass = 3000"), 14, &["`rule.limit_load_factor` is missing", "[-]"]),
+        (rule("limit_load_factor = 3\nrotorcraft_mass = 3000\nfloats = 0"), 17, &["`rule.floats` = 0", "expected a whole number of at least 1"]),
+        (rule("k2 = 1.0"), 14, &["`rule` = a table without a load", "expected takeoff_speed, landing_speed and landing_mass"]),
         (coupling("scheme = \"strong\""), 7, &["`coupling.scheme`", "strong", "iqn_ils"]),
         (coupling("scheme = \"aitken\""), 7, &["`coupling.scheme`", "aitken was dropped: \"iqn_ils\" needs no more iterations"]),
         (coupling("scheme = \"iqn_ils\"\n[fluid]\nwalls = \"mirror_point\""), 7, &["`coupling.scheme` = \"iqn_ils\"", "expected \"weak\" with these fluid.walls"]),

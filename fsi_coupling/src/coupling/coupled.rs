@@ -27,9 +27,9 @@ const TOLERATED_OVERLAP: f64 = 0.01;
 /// Times that a step is halved before the run fails.
 const MOST_RETRIES: u32 = 3;
 
-/// The refinement zone around a body: a function of the body's motion and outline alone, so that a step that is restored and repeated
+/// The refinement zone around bodies: a function of the motion and outline of each that has them, in their order, alone, so that a step that is restored and repeated
 /// gives the same bits. It is evaluated before each step.
-pub type RefinementRule = Box<dyn Fn(&Motion, &Outline) -> RefinementZone + Send + Sync>;
+pub type RefinementRule = Box<dyn Fn(&[(Motion, &Outline)]) -> RefinementZone + Send + Sync>;
 
 /// A fluid and the bodies in it.
 pub struct Coupled {
@@ -104,7 +104,7 @@ impl Coupled {
         })
     }
 
-    /// The same system with a refinement zone that moves with its first body that has an outline (THEORY WC21).
+    /// The same system with a refinement zone that moves with its bodies (THEORY WC21).
     pub fn with_refinement(self, rule: RefinementRule) -> Coupled {
         Coupled { refinement: Some(rule), ..self }
     }
@@ -189,7 +189,8 @@ impl Coupled {
 
     fn update_refinement(&mut self) {
         let Some(rule) = &self.refinement else { return };
-        let zone = self.bodies().find_map(|body| Some(rule(&body.motion()?, body.outline()?)));
+        let placed: Vec<_> = self.bodies().filter_map(|body| Some((body.motion()?, body.outline()?))).collect();
+        let zone = (!placed.is_empty()).then(|| rule(&placed));
         self.fluid.set_refinement_zone(zone);
     }
 

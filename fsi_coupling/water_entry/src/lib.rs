@@ -3,7 +3,8 @@
 //! [`Section`] is the bottom, [`EntryModel`] a model, [`Loads`] the load of a section at a draught, [`Entry`] its motion.
 //! [`SimilarityFlow`] is the exact flow about a wedge at constant speed, [`EntryFlow`] the flow about one in any vertical motion,
 //! [`FlowEntry`] that motion, [`AsymmetricFlow`] and [`RolledFlow`] the same of a wedge with two deadrises, [`ElasticWedge`] a wedge with flexible faces,
-//! [`air_cushion`] the air under a flat bottom, [`ditching`] an aeroplane made of sections, [`planing`] a hull that planes, [`waves`] those of small height and their maker.
+//! [`air_cushion`] the air under a flat bottom, [`ditching`] an aeroplane made of sections, [`planing`] a hull that planes, [`waves`] those of small height and their maker,
+//! [`rules`] the loads that airworthiness rules state, [`finite_span`] the share of a load between free ends.
 //!
 //! Runnable examples, each with its reference, by `cargo run --release -p water_entry --example NAME`: `falling_wedge` by three theories,
 //! `similarity_flow` of a wedge of 30 degrees, `two_deadrises` of a rolled wedge, `elastic_faces`, `air_cushion` under a flat plate,
@@ -29,12 +30,14 @@ pub mod curve;
 pub mod ditching;
 mod dobrovolskaya;
 mod entry;
+pub mod finite_span;
 mod hydroelastic;
 pub mod keel;
 mod loads;
 mod model;
 pub mod planing;
 mod range;
+pub mod rules;
 mod section;
 mod similarity;
 pub mod waves;

@@ -44,7 +44,7 @@ pub(crate) fn build_around(scene: &Scene, bodies: Vec<Box<dyn Body>>) -> Result<
         None => system,
     };
     Ok(match Follower::of(scene) {
-        Some(follower) => system.with_refinement(Box::new(move |motion, outline| follower.zone(motion, outline))),
+        Some(follower) => system.with_refinement(Box::new(move |bodies| follower.zone(bodies))),
         None => system,
     })
 }

@@ -18,7 +18,7 @@ use crate::error::RunError;
 use crate::folder::{HOST_MARK, Held, prepare, refuse_occupied, write};
 use crate::observers::{LiveObserver, LogObserver, ObserveError};
 use crate::options::{Checkpoints, Outcome, RunOptions};
-use crate::{build, charted, model_hierarchy};
+use crate::{build, charted, model_hierarchy, stated};
 
 /// Why a run stopped before its end.
 #[derive(Debug, thiserror::Error)]
@@ -46,7 +46,7 @@ pub fn run(scene: &Scene, options: &RunOptions<'_>) -> Result<Outcome, RunError>
         let followed = model_hierarchy::Followed::new(scene)?;
         let _held = start_folder(scene, options)?;
         let outcome = model_hierarchy::run(scene, followed, options, references)?;
-        return keep(outcome, options.out.as_deref(), options);
+        return keep(scene, outcome, options.out.as_deref(), options);
     }
     let system = build::build(scene)?;
     let live = start_live(scene, options)?;
@@ -128,7 +128,7 @@ impl Run<'_> {
             summary.error_bars =
                 options.error_bars.map_or_else(|| charted::error_bars(scene, &summary), |of| of(&summary));
         }
-        keep(Outcome { summary, series: recorder.series }, dir, options)
+        keep(scene, Outcome { summary, series: recorder.series }, dir, options)
     }
 }
 
@@ -148,7 +148,13 @@ pub(crate) fn start_folder(scene: &Scene, options: &RunOptions<'_>) -> Result<Op
 }
 
 /// Write summary and report.
-fn keep(mut outcome: Outcome, dir: Option<&Path>, options: &RunOptions<'_>) -> Result<Outcome, RunError> {
+fn keep(
+    scene: &Scene,
+    mut outcome: Outcome,
+    dir: Option<&Path>,
+    options: &RunOptions<'_>,
+) -> Result<Outcome, RunError> {
+    stated::add(scene, &mut outcome.summary, &outcome.series);
     outcome.summary.warnings = options.warnings.clone();
     outcome.summary.host = options.host;
     if let Some(dir) = dir {

@@ -44,6 +44,7 @@ mod recorder;
 mod recorder_state;
 pub mod results;
 mod resume;
+pub mod stated;
 pub mod summary;
 
 pub use driver::run;

@@ -313,6 +313,8 @@ impl Recorder {
             status: status.with(&results, !doubts.is_empty()),
             message,
             results,
+            ends: None,
+            rule_loads: Vec::new(),
             acceleration_filtered,
             doubts,
             warnings: Vec::new(),

@@ -17,6 +17,7 @@ use crate::compare::Comparison;
 use crate::error_bar::ErrorBars;
 use crate::observers::{GaugeResult, Rest, RuleResult, SimilarityResult, Water, Waves};
 use crate::results::FilteredAcceleration;
+use crate::stated::{FiniteLength, RuleLoad};
 
 /// Numbers of particles.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
@@ -121,6 +122,12 @@ pub struct Summary {
     pub message: Option<String>,
     /// The results: what a designer takes away.
     pub results: Results,
+    /// Share of the results of a section between two free ends; absent without report.length.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ends: Option<FiniteLength>,
+    /// Loads that rules state; absent without a table rule.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub rule_loads: Vec<RuleLoad>,
     /// The largest acceleration through the filter of report.acceleration_cfc; absent where the scene does not ask.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub acceleration_filtered: Option<FilteredAcceleration>,

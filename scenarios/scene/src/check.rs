@@ -47,6 +47,7 @@ pub(super) fn check(scene: &Scene, columns: &[String]) -> Result<(), Problem> {
         check_gauge(scene, gauge, |name| format!("gauges[{i}].{name}"))?;
     }
     check_comparisons(scene, &columns[1..])?;
+    scene.rule.map_or(Ok(()), |rule| rule.check())?;
     scene.similarity.map_or(Ok(()), |Similarity::Wedge| check_wedge_similarity(scene))
 }
 

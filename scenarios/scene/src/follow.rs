@@ -1,4 +1,4 @@
-//! Resolution that follows: the fine zone of an impact, as wide and deep as the present draught wants it (THEORY WC21).
+//! Resolution that follows: the fine zone of an impact, as wide and deep as the present draughts want it (THEORY WC21).
 
 use fsi_coupling::{Motion, Outline};
 use sph_core::RefinementZone;
@@ -6,53 +6,85 @@ use sph_core::RefinementZone;
 use crate::auto::auto_fine_zone;
 use crate::{Entry, Scene};
 
-/// Thickness of the fine layer beside the body [spacings].
+/// Thickness of the fine layer beside a body [spacings].
 const LAYER: f64 = 8.0;
 
-/// The fine zone of a scene whose resolution follows its body.
+/// The fine zone of a scene whose resolution follows its bodies.
 pub struct Follower {
-    entry: Entry,
-    /// Draught [m], and where the body's origin is [m], at t = 0.
-    draught: f64,
-    origin: [f64; 2],
+    bodies: Vec<Followed>,
     middle: f64,
-    /// The scene's fine zone, which is that of the last draught, over the one that theory finds for it [-].
+    /// The scene's fine zone, which is that of the last draughts, over the one that theory finds for them [-].
     share: [f64; 2],
     spacing: f64,
     slope: f64,
 }
 
+/// A body that enters the water.
+struct Followed {
+    entry: Entry,
+    /// Draught [m], and where the body's origin is [m], at t = 0.
+    draught: f64,
+    origin: [f64; 2],
+    /// x midway between its ends, from the middle of the zone [m].
+    aside: f64,
+}
+
 impl Follower {
     /// `None` where the fine zone stays as it is.
     pub fn of(scene: &Scene) -> Option<Follower> {
-        let (entry, body) = scene.entry().zip(scene.body.as_ref())?;
         let (spacing, slope) = (scene.resolution.spacing, scene.resolution.growth - 1.0);
-        let last = auto_fine_zone(&entry, spacing);
-        let share = std::array::from_fn(|k| scene.resolution.fine_zone[k] / last[k]);
-        let (draught, origin, middle) = (body.draught(), body.position, scene.fine_zone_center());
-        scene.resolution.follow.then_some(Follower { entry, draught, origin, middle, share, spacing, slope })
+        let middle = scene.fine_zone_center();
+        let followed = |(body, entry): (&crate::Body, Entry)| Followed {
+            entry,
+            draught: body.draught(),
+            origin: body.position,
+            aside: body.middle() - middle,
+        };
+        let bodies: Vec<Followed> = scene.entries().into_iter().map(followed).collect();
+        if !scene.resolution.follow || bodies.is_empty() {
+            return None;
+        }
+        let mut follower = Follower { bodies, middle, share: [1.0; 2], spacing, slope };
+        let last = follower.extent(|body| [0.0, body.entry.final_draught]);
+        follower.share = std::array::from_fn(|k| scene.resolution.fine_zone[k] / last[k]);
+        Some(follower)
     }
 
-    /// The scene's fine zone over the one that theory finds for its last draught [-], shape (2).
+    /// The scene's fine zone over the one that theory finds for its last draughts [-], shape (2).
     pub fn share(&self) -> [f64; 2] {
         self.share
     }
 
     /// Half width and depth of the zone at t = 0 [m], shape (2).
     pub fn at_start(&self) -> [f64; 2] {
-        self.extent(self.draught)
+        self.extent(|body| [0.0, body.draught])
     }
 
-    /// The zone for a body that is where `motion` says.
-    pub fn zone(&self, motion: &Motion, outline: &Outline) -> RefinementZone {
-        let sunk = self.origin[1] - motion.position[1];
-        let [half_width, depth] = self.extent(self.draught + sunk);
-        let edges = outline.loops().iter().flat_map(|corners| {
-            let ends = corners.iter().zip(corners.iter().cycle().skip(1));
+    /// The zone for bodies that are where their motions say, in the order of the scene.
+    pub fn zone(&self, placed: &[(Motion, &Outline)]) -> RefinementZone {
+        let moved: Vec<[f64; 2]> = self
+            .bodies
+            .iter()
+            .zip(placed)
+            .map(|(body, (motion, _))| [motion.position[0] - body.origin[0], body.origin[1] - motion.position[1]])
+            .collect();
+        // one body takes its zone along; several stay within one
+        let (along, middle) = match (&self.bodies[..], placed) {
+            ([body], [(motion, _), ..]) => (moved[0][0], self.middle + motion.position[0] - body.origin[0]),
+            _ => (0.0, self.middle),
+        };
+        let mut k = 0;
+        let [half_width, depth] = self.extent(|body| {
+            let [aside, sunk] = moved.get(k).copied().unwrap_or_default();
+            k += 1;
+            [aside - along, body.draught + sunk]
+        });
+        let edges = placed.iter().flat_map(|(motion, outline)| {
+            let ends = outline.loops().iter().flat_map(|corners| corners.iter().zip(corners.iter().cycle().skip(1)));
             ends.map(|(a, b)| [motion.point(*a), motion.point(*b)])
         });
         RefinementZone {
-            middle: self.middle + motion.position[0] - self.origin[0],
+            middle,
             half_width,
             depth,
             edges: edges.collect(),
@@ -62,19 +94,28 @@ impl Follower {
         }
     }
 
-    fn extent(&self, draught: f64) -> [f64; 2] {
-        let wanted = auto_fine_zone(&Entry { final_draught: draught, ..self.entry }, self.spacing);
-        std::array::from_fn(|k| self.share[k] * wanted[k])
+    /// Half width and depth that hold the zones of all bodies [m], each moved aside by and at a draught of what `at` says [m].
+    fn extent(&self, mut at: impl FnMut(&Followed) -> [f64; 2]) -> [f64; 2] {
+        let mut most = [0.0_f64; 2];
+        for body in &self.bodies {
+            let [aside, draught] = at(body);
+            let [half_width, depth] = auto_fine_zone(&Entry { final_draught: draught, ..body.entry }, self.spacing);
+            most = [most[0].max((body.aside + aside).abs() + half_width), most[1].max(depth)];
+        }
+        std::array::from_fn(|k| self.share[k] * most[k])
     }
 }
 
-/// The same scene with another end [s]; a fine zone that follows grows with the draught at the end.
+/// The same scene with another end [s]; a fine zone that follows grows with the draughts at the end.
 pub fn with_end(scene: &Scene, end: f64) -> Scene {
     let mut longer = scene.clone();
     longer.time.end = end;
-    if let (Some(follower), Some(entry)) = (Follower::of(scene), longer.entry()) {
-        let last = auto_fine_zone(&entry, scene.resolution.spacing);
-        longer.resolution.fine_zone = std::array::from_fn(|k| follower.share[k] * last[k]);
+    if let Some(follower) = Follower::of(scene) {
+        // of the scene with the old zone, its last extent over its share is that of theory for the new end
+        if let Some(theirs) = Follower::of(&longer) {
+            let last = theirs.extent(|body| [0.0, body.entry.final_draught]);
+            longer.resolution.fine_zone = std::array::from_fn(|k| follower.share[k] * last[k] / theirs.share[k]);
+        }
     }
     longer
 }

@@ -64,7 +64,7 @@ pub use fsi_coupling::{PanelEnd, Shape};
 pub use impact::{Entry, jet_reach};
 pub use keys::{
     Axis, Beach, Block, Body, Compare, Coupling, CouplingScheme, Freedom, Gauge, GaugeFrame, Modes, Motion, Moved,
-    NaturalMode, Norm, Observe, Oscillation, Panel, QuantityOfInterest, Report, Resolution, Scene, Similarity,
+    NaturalMode, Norm, Observe, Oscillation, Panel, QuantityOfInterest, Report, Resolution, Rule, Scene, Similarity,
     SolverSettings, SprungMass, Symmetry, Tank, TheoryName, Time, WaveMaker, panel_length, panel_line, schema,
 };
 pub use keys::{MILLIMETRE, MODES, line};

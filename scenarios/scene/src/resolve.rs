@@ -368,7 +368,9 @@ fn resolve_resolution(
     let of_options = solver.weakly_compressible().and_then(|fluid| legacy::obstacle_to_tracking(&fluid.options));
     let obstacle = match () {
         _ if entries.is_empty() => Some("false where no body enters the water"),
-        _ if bodies.len() > 1 => Some("false with several bodies: the fine zone follows one"),
+        _ if bodies.len() > entries.len() => {
+            Some("false beside a body that does not enter the water: the fine zone follows those that do")
+        }
         _ if growth == 1.0 => Some("false with resolution.growth = 1: all the water is fine"),
         _ if plate => Some("false with a polyline, whose sides see different water"),
         _ if solver.is_incompressible() => {

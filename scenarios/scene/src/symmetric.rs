@@ -21,7 +21,9 @@ pub(super) fn check_symmetric(body: &Body) -> Result<(), Problem> {
         require(value == 0.0, key, value, "0 with symmetry = \"x\"")?;
     }
     on_axis(body.velocity[0] == 0.0, "body.velocity", body.velocity)?;
-    on_axis(body.position[0] == 0.0, "body.position", body.position)?;
+    let [x, y] = body.position;
+    let expected = "[0, ...] with symmetry = \"x\"; bodies side by side are given both, without symmetry";
+    require(x == 0.0, "body.position", format_args!("[{x}, {y}]"), expected)?;
     let (outline, centre) = (body.shape.outline(), body.center_of_mass);
     if !polygon::is_mirror_symmetric(&outline) {
         let [given, expected] = lopsided(&outline);

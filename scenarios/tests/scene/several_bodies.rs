@@ -46,7 +46,7 @@ fn two_wedges_have_the_settings_of_the_one_that_asks_for_more() {
     };
     let lowest = [bound(&a), bound(&b)].map(|bound| bound.expect("sound").0.expect("a bound"));
     assert_eq!(bound(&both), Some((Some(lowest[0].min(lowest[1])), 4)));
-    assert!(!both.resolution.follow, "the fine zone follows one body");
+    assert!(both.resolution.follow, "the fine zone follows both");
 }
 
 /// The same wedge twice: as one, but for the room between them.

@@ -14,6 +14,7 @@ mod player;
 pub mod quantity;
 mod record;
 mod references;
+mod stated;
 mod structure;
 mod table;
 mod tables;
@@ -54,6 +55,8 @@ pub fn report(dir: &Path) -> Result<String, FolderError> {
         ("Curves", figure_blocks(&charts::figures(&run), HINT)),
         ("Structure", [figure_blocks(&structure::figures(&run), ""), structure::tables(&run)].concat()),
         ("Results in detail", [tables::results_section(&run), tables::gauge_section(record)].concat()),
+        ("With two free ends", stated::ends_section(record)),
+        ("By the rules", stated::rules_section(record)),
         ("In waves", waves::waves_section(record)),
         ("Against references", references::section(&run)),
         ("Error bars", tables::error_bars_section(record)),

@@ -5,6 +5,7 @@
 
 use std::collections::BTreeMap;
 
+use run::stated::{FiniteLength, RuleLoad};
 use scene::vocabulary::{Doubts, Results, Status};
 use serde::Deserialize;
 
@@ -15,6 +16,8 @@ pub(crate) struct Record {
     pub status: Option<Status>,
     pub message: Option<String>,
     pub results: Results,
+    pub ends: Option<FiniteLength>,
+    pub rule_loads: Vec<RuleLoad>,
     #[serde(flatten)]
     pub doubts: Doubts,
     pub warnings: Vec<String>,

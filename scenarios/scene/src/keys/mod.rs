@@ -10,6 +10,7 @@ mod links;
 mod modes;
 mod observation;
 mod panel;
+mod rule;
 mod sprung_mass;
 mod tank;
 mod waves;
@@ -34,6 +35,7 @@ pub use modes::{MILLIMETRE, MODES};
 pub use modes::{Modes, NaturalMode};
 pub use observation::{Compare, Gauge, GaugeFrame, Norm, Observe, Report};
 pub use panel::{Panel, StructurePlane, StructureUnits, TheoryName};
+pub use rule::Rule;
 pub use sprung_mass::SprungMass;
 pub use tank::{Block, Tank};
 pub use waves::{Beach, WaveMaker};
@@ -123,6 +125,9 @@ pub struct Scene {
     /// What a run reports beside its curves.
     #[serde(default)]
     pub report: Report,
+    /// Numbers of the aircraft, for the loads that rules state. absent: none are stated.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rule: Option<Rule>,
     /// Coupling of water and body.
     #[schemars(extend("x-default" = "by the body"))]
     pub coupling: Coupling,

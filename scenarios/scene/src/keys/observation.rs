@@ -42,6 +42,11 @@ pub struct Report {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub bandwidth: Option<f64>,
+    /// Length of the section between two free ends, for ends: the share of its loads in three dimensions (THEORY RU6) [m]. absent: no share is
+    /// given; loads are per metre of an endless one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub length: Option<f64>,
     /// Bandwidth of the quoted peak pressure [Hz]. absent: that of the spacing.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(extend("exclusiveMinimum" = 0))]
