@@ -1,5 +1,7 @@
 //! Where an aeroplane is and how it moves.
 
+use super::struts::STRUTS;
+
 /// Bending modes of the fuselage that a landing has room for.
 pub const MODES: usize = 4;
 /// Degrees of freedom: forward, up, pitch, bending modes.
@@ -16,6 +18,10 @@ pub struct Attitude {
     pub bend: [f64; MODES],
     /// Their rates [m/s].
     pub bend_rate: [f64; MODES],
+    /// Strokes of the struts [m].
+    pub stroke: [f64; STRUTS],
+    /// Their rates [m/s].
+    pub stroke_rate: [f64; STRUTS],
 }
 
 impl Attitude {
