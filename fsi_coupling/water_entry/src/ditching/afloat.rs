@@ -9,8 +9,10 @@ const SLICES: usize = 120;
 const LEVELS: usize = 64;
 /// Steepest trim that is looked for, dz/dx [-].
 const STEEPEST: f64 = 0.6;
-/// Halvings of an interval.
-const HALVINGS: usize = 60;
+/// Step of the search for the trim, dz/dx [-].
+const SEARCH: f64 = 0.02;
+/// Most rounds of the search for a zero.
+const ROUNDS: usize = 100;
 
 /// The volume inside a fuselage, by slices across the body axis.
 #[derive(Clone, Debug, PartialEq)]
@@ -148,7 +150,9 @@ impl Volume {
 
     /// EN53: waterline of a body that floats with a mass over the water's density [m³] and a centre of mass from the nose and over the body axis [m],
     /// with a volume of water inside [m³], and the waterline of that water; `None` where it sinks, or has no attitude of balance within 31°.
-    pub fn afloat(&self, mass: f64, centre: [f64; 2], inside: f64) -> Option<[Waterline; 2]> {
+    ///
+    /// The trim of balance nearest to the slope `near` [-] is taken.
+    pub fn afloat(&self, mass: f64, centre: [f64; 2], inside: f64, near: f64) -> Option<[Waterline; 2]> {
         let displaced = mass + inside;
         if displaced >= self.whole() {
             return None;
@@ -161,18 +165,51 @@ impl Volume {
             along(1) + slope * along(2)
         };
         // nose up sinks the tail: the arm grows with the trim where the trim is stable
-        let [low, high] = [-STEEPEST, STEEPEST];
-        (arm(low) < 0.0 && arm(high) > 0.0).then(|| planes(crossing([low, high], arm)))
+        let ends = [near - 0.5 * SEARCH, near + 0.5 * SEARCH];
+        let (mut around, mut bracket) = (ends.map(|slope| (slope, arm(slope))), None);
+        let is_stable = |a: f64, b: f64| a < 0.0 && b >= 0.0;
+        if is_stable(around[0].1, around[1].1) {
+            bracket = Some(ends);
+        }
+        while bracket.is_none() && (around[0].0 > -STEEPEST || around[1].0 < STEEPEST) {
+            let out = [around[0].0 - SEARCH, around[1].0 + SEARCH].map(|slope| (slope, arm(slope)));
+            if is_stable(out[0].1, around[0].1) {
+                bracket = Some([out[0].0, around[0].0]);
+            } else if is_stable(around[1].1, out[1].1) {
+                bracket = Some([around[1].0, out[1].0]);
+            }
+            around = out;
+        }
+        bracket.map(|bracket| planes(crossing(bracket, arm)))
     }
 }
 
-/// Where a growing function crosses zero.
+/// Where a function that grows crosses zero between two places: the rule of false position (Illinois).
 fn crossing([mut low, mut high]: [f64; 2], of: impl Fn(f64) -> f64) -> f64 {
-    for _ in 0..HALVINGS {
-        let middle = 0.5 * (low + high);
-        if of(middle) < 0.0 { low = middle } else { high = middle }
-        if high - low < 1e-10 * (1.0 + low.abs()) {
-            break;
+    let (mut at_low, mut at_high) = (of(low), of(high));
+    if at_low >= 0.0 || at_high <= 0.0 {
+        return if at_low >= 0.0 { low } else { high };
+    }
+    let (tolerance, mut last) = (1e-12 * (high - low), 0);
+    for round in 0..ROUNDS {
+        // every third round halves the interval
+        let secant = low - at_low * (high - low) / (at_high - at_low);
+        let middle = if round % 3 == 2 { 0.5 * (low + high) } else { secant.clamp(low, high) };
+        let value = of(middle);
+        if value == 0.0 || high - low < tolerance {
+            return middle;
+        }
+        match value < 0.0 {
+            true => {
+                (low, at_low) = (middle, value);
+                at_high *= if last == -1 { 0.5 } else { 1.0 };
+                last = -1;
+            }
+            false => {
+                (high, at_high) = (middle, value);
+                at_low *= if last == 1 { 0.5 } else { 1.0 };
+                last = 1;
+            }
         }
     }
     0.5 * (low + high)
@@ -199,7 +236,11 @@ fn half_at(line: &[[f64; 2]], height: f64) -> f64 {
         let ([x0, z0], [x1, z1]) = (w[0], w[1]);
         let (low, high) = (z0.min(z1), z0.max(z1));
         let share = if z1 == z0 { 1.0 } else { (height - z0) / (z1 - z0) };
-        (low - 1e-12..=high + 1e-12).contains(&height).then_some(if z1 == z0 { x0.max(x1) } else { x0 + share * (x1 - x0) })
+        (low - 1e-12..=high + 1e-12).contains(&height).then_some(if z1 == z0 {
+            x0.max(x1)
+        } else {
+            x0 + share * (x1 - x0)
+        })
     });
     crossed.fold(0.0, f64::max)
 }
@@ -213,15 +254,17 @@ mod tests {
     fn a_box_floats_at_its_exact_waterline_and_trim() {
         let barge = Volume::new([0.0, 20.0], |_| [-1.0, 2.0], |_, _| 2.0);
         assert!((barge.whole() - 240.0).abs() < 1e-9);
-        let level = barge.afloat(80.0, [10.0, 0.0], 0.0).expect("it floats")[0];
+        let level = barge.afloat(80.0, [10.0, 0.0], 0.0, 0.0).expect("it floats")[0];
         assert!((level.level - 0.0).abs() < 1e-8 && level.slope.abs() < 1e-8, "{level:?}");
         // a draught of 1 m in the middle at a trim t has the centre of buoyancy at (L²/12) t aft and ½ + (L²/24) t² over the keel
         for trim in [0.02_f64, 0.05] {
             let above = 0.4 - (-1.0 + 0.5 + 400.0 / 24.0 * trim * trim);
             let aft = 400.0 / 12.0 * trim - above * trim;
-            let found = barge.afloat(80.0, [10.0 + aft, 0.4], 0.0).expect("it floats")[0];
+            let found = barge.afloat(80.0, [10.0 + aft, 0.4], 0.0, 0.0).expect("it floats")[0];
             assert!((found.slope / trim - 1.0).abs() < 1e-3 && (found.at(10.0)).abs() < 1e-3, "{trim}: {found:?}");
         }
-        assert!(barge.afloat(250.0, [10.0, 0.0], 0.0).is_none() && barge.afloat(80.0, [19.0, 0.0], 0.0).is_none());
+        assert!(
+            barge.afloat(250.0, [10.0, 0.0], 0.0, 0.0).is_none() && barge.afloat(80.0, [19.0, 0.0], 0.0, 0.0).is_none()
+        );
     }
 }

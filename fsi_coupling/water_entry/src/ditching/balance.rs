@@ -111,8 +111,11 @@ impl Landing<'_> {
         parts.iter().flatten().for_each(|p| given.add(p.x, p.force));
 
         let struts = self.struts(now, &swell, &lost[lost.len().min(craft.first_strut())..]);
-        let sprung: Vec<(f64, [f64; FREEDOMS])> =
-            struts.iter().zip(&craft.struts).filter_map(|(s, strut)| Some((strut.number * strut.mass, s.as_ref()?.lever))).collect();
+        let sprung: Vec<(f64, [f64; FREEDOMS])> = struts
+            .iter()
+            .zip(&craft.struts)
+            .filter_map(|(s, strut)| Some((strut.number * strut.mass, s.as_ref()?.lever)))
+            .collect();
         for (load, strut) in struts.iter().zip(&craft.struts) {
             // EN52: the foot's mass does not go with the aeroplane along the stroke; across it, it does
             let along = load.map_or(0.0, |s| s.along + strut.number * strut.mass * water.gravity * cos - s.water_along);
@@ -173,7 +176,12 @@ impl Landing<'_> {
     }
 
     /// Accelerations under the `given` forces and those of the entering strips, and these [N].
-    fn accelerations(&self, entering: &[ImpactingPart], sprung: &[(f64, [f64; FREEDOMS])], given: [f64; FREEDOMS]) -> ([f64; FREEDOMS], Vec<f64>) {
+    fn accelerations(
+        &self,
+        entering: &[ImpactingPart],
+        sprung: &[(f64, [f64; FREEDOMS])],
+        given: [f64; FREEDOMS],
+    ) -> ([f64; FREEDOMS], Vec<f64>) {
         let Water { suction, largest_suction, .. } = self.water;
         let Aeroplane { mass, inertia, .. } = self.aeroplane;
         let strip_load = |e: &ImpactingPart, a| StripLoad::of(e, e.force(a), suction, largest_suction);

@@ -146,7 +146,8 @@ impl Fuselage {
             return refuse(k, format!("a keel at {angle:.1} degrees to the axis: expected up to {STEEPEST_KEEL_DEG}"));
         }
         let loft = stations.iter().any(|s| s.form.is_outline()).then(|| {
-            let line = |s: &Station| s.form.section(s.breadth).map(|section| section.corners().to_vec()).unwrap_or_default();
+            let line =
+                |s: &Station| s.form.section(s.breadth).map(|section| section.corners().to_vec()).unwrap_or_default();
             Loft::new(stations.iter().map(|s| s.x).collect(), stations.iter().map(line).collect())
         });
         Ok(Fuselage { stations: stations.to_vec(), keel, breadth, loft })

@@ -44,7 +44,8 @@ impl Hull {
         let mut tables = Tables { model, kinds: Vec::new(), loads: Vec::new() };
         let mut places = Vec::new();
         for (station, s) in fuselage.stations().iter().enumerate() {
-            let of_station = tables.of(&s.form.scaled(1.0 / s.breadth)).map_err(|why| FuselageError { station, why })?;
+            let of_station =
+                tables.of(&s.form.scaled(1.0 / s.breadth)).map_err(|why| FuselageError { station, why })?;
             if let Some((before, _)) = places.last().copied().filter(|(_, before)| *before != of_station) {
                 for k in 1..=LOFTED {
                     let x: f64 = before + (s.x - before) * k as f64 / (LOFTED + 1) as f64;
@@ -159,7 +160,9 @@ impl Tables {
 /// A bottom between stations without hollows.
 fn convex(form: &Form) -> Form {
     match form {
-        Form::Outline(points) => Section::new(points).map_or(form.clone(), |s| Form::Outline(s.convex().corners().to_vec())),
+        Form::Outline(points) => {
+            Section::new(points).map_or(form.clone(), |s| Form::Outline(s.convex().corners().to_vec()))
+        }
         _ => form.clone(),
     }
 }

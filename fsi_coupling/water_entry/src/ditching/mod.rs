@@ -1,4 +1,4 @@
-//! An aeroplane from sections: 2D+t (THEORY EN14–EN19, EN25–EN29, EN36–EN38, EN50–EN54).
+//! An aeroplane from sections: 2D+t (THEORY EN14–EN19, EN25–EN29, EN36–EN38, EN50–EN55).
 //!
 //! The fuselage enters planes of water across its way, which move with the swell; the load of a [`Section`](super::Section) in each is a
 //! theory's [`Load`](super::Load). [`Fuselage`] is the shape, [`Hull`] its loads, [`Landing`] its motion in the plane of symmetry.
@@ -11,6 +11,7 @@ mod bending;
 mod flooding;
 mod fuselage;
 mod hull;
+mod irregular;
 mod landing;
 mod loft;
 mod masses;
@@ -32,6 +33,7 @@ pub use bending::Bending;
 pub use flooding::{Afloat, FloatingState, Flooding, Opening};
 pub use fuselage::{Form, Fuselage, FuselageError, Keel, OF_LANDINGS, Station};
 pub use hull::{Hull, SectionLoad};
+pub use irregular::{Components, Jonswap};
 pub use landing::{Landing, LandingEnd, LandingResult, LandingState};
 pub use masses::Masses;
 pub use outline::HalfSection;

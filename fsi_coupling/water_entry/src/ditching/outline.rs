@@ -33,7 +33,8 @@ impl HalfSection {
         }
         let near = ON_PLANE * breadth;
         let low = || points.iter().filter(|p| p[1] - lowest < 1e-9 * height);
-        let (low_left, low_right) = low().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), p| (a.min(p[0]), b.max(p[0])));
+        let (low_left, low_right) =
+            low().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), p| (a.min(p[0]), b.max(p[0])));
         let (from_left, to_right) = (low_left - left < near, right - low_right < near);
         let plane = match (from_left, to_right) {
             (true, false) => left,
@@ -51,7 +52,9 @@ impl HalfSection {
             let [all, half] = [area(&around), area(&line)];
             if (2.0 * half - all).abs() > LOPSIDED * all {
                 let share = 100.0 * (2.0 * half - all).abs() / all;
-                return Err(format!("half a section, or a whole one that is symmetric: its sides differ by {share:.1} % of its area"));
+                return Err(format!(
+                    "half a section, or a whole one that is symmetric: its sides differ by {share:.1} % of its area"
+                ));
             }
         }
         let keel = line[0][1];

@@ -45,7 +45,13 @@ pub enum GirthRange {
 impl GirthPressure {
     /// EN51: of a part of a strip that presses with `force` [N] at accelerations of the aeroplane, in water of density ρ [kg/m³]; `None` where
     /// the theory has no pressure, and where the force is none.
-    pub fn new(hull: &Hull, part: &ImpactingPart, force: f64, acceleration: &[f64; FREEDOMS], rho: f64) -> Option<GirthPressure> {
+    pub fn new(
+        hull: &Hull,
+        part: &ImpactingPart,
+        force: f64,
+        acceleration: &[f64; FREEDOMS],
+        rho: f64,
+    ) -> Option<GirthPressure> {
         let (b, loads) = (hull.fuselage().breadth(part.at.x), hull.nearest(part.at.x));
         let draught = part.at.draught / b;
         let c = loads.at(draught).wetted;
@@ -100,7 +106,8 @@ impl Hull {
     /// Girth of half the bottom at a place, from the keel to the edge [m].
     pub fn girth(&self, x: f64) -> f64 {
         let corners = self.nearest(x).section().corners();
-        self.fuselage().breadth(x) * corners.windows(2).map(|w| (w[1][0] - w[0][0]).hypot(w[1][1] - w[0][1])).sum::<f64>()
+        self.fuselage().breadth(x)
+            * corners.windows(2).map(|w| (w[1][0] - w[0][0]).hypot(w[1][1] - w[0][1])).sum::<f64>()
     }
 
     /// Distance from the keel along the bottom to a height over the keel, up to the edge [m].
@@ -108,7 +115,11 @@ impl Hull {
         let b = self.fuselage().breadth(x);
         let of_face = |w: &[[f64; 2]]| {
             let rise = w[1][1] - w[0][1];
-            let share = if rise > 0.0 { ((height / b - w[0][1]) / rise).clamp(0.0, 1.0) } else { f64::from(u8::from(height > b * w[0][1])) };
+            let share = if rise > 0.0 {
+                ((height / b - w[0][1]) / rise).clamp(0.0, 1.0)
+            } else {
+                f64::from(u8::from(height > b * w[0][1]))
+            };
             share * (w[1][0] - w[0][0]).hypot(rise)
         };
         b * self.nearest(x).section().corners().windows(2).map(of_face).sum::<f64>()
@@ -178,7 +189,9 @@ impl PressureMap {
         let mut sums = vec![vec![0.0; self.shares]; self.mean.len()];
         for (strip, force) in &now.strips {
             let Some(part) = &strip.entry else { continue };
-            let Some(pressure) = GirthPressure::new(landing.hull, part, *force, &now.acceleration, landing.water.density) else {
+            let Some(pressure) =
+                GirthPressure::new(landing.hull, part, *force, &now.acceleration, landing.water.density)
+            else {
                 continue;
             };
             let half = 0.5 * part.length / part.at.shortening;

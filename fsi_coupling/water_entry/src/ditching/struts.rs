@@ -105,7 +105,15 @@ impl Strut {
     }
 
     /// EN52: loads of strut and water at a moment, in water of density ρ [kg/m³] and gravity g [m/s²].
-    pub fn at(&self, index: usize, centre: [f64; 2], now: &Attitude, swell: &Swell, rho: f64, gravity: f64) -> StrutLoad {
+    pub fn at(
+        &self,
+        index: usize,
+        centre: [f64; 2],
+        now: &Attitude,
+        swell: &Swell,
+        rho: f64,
+        gravity: f64,
+    ) -> StrutLoad {
         let (stroke, speed) = (now.stroke[index], now.stroke_rate[index]);
         let place = self.foot_at(stroke);
         let (sin, cos) = now.place[2].sin_cos();
