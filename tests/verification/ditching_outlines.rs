@@ -6,7 +6,8 @@ use std::f64::consts::{FRAC_PI_4, PI};
 use evidence::landing::{CENTRE, RHO, landing, prism, station};
 use water_entry::EntryModel;
 use water_entry::ditching::{
-    Form, Fuselage, GirthPressure, GirthRange, HalfSection, Hull, Landing, LandingResult, LandingState, Strut, StrutSpring, Window,
+    Form, Fuselage, GirthPressure, GirthRange, HalfSection, Hull, Landing, LandingResult, LandingState, Strut,
+    StrutSpring, Window,
 };
 
 /// Radii and keels of a fuselage of circles, from the nose aft: x, radius, keel.
@@ -43,7 +44,11 @@ fn outlines_of_arcs_land_as_the_arcs() {
         println!("peaks {:.4}, places {:?} {:?}", peak(&outlines) / peak(&arcs) - 1.0, place(&outlines), place(&arcs));
         assert!((peak(&outlines) / peak(&arcs) - 1.0).abs() < 0.01);
         let [ours, theirs] = [place(&outlines), place(&arcs)];
-        assert!((ours[0] / theirs[0] - 1.0).abs() < 0.01 && (ours[1] - theirs[1]).abs() < 0.01 && (ours[2] - theirs[2]).abs() < 0.01);
+        assert!(
+            (ours[0] / theirs[0] - 1.0).abs() < 0.01
+                && (ours[1] - theirs[1]).abs() < 0.01
+                && (ours[2] - theirs[2]).abs() < 0.01
+        );
     }
     let mixed = Cell::new(false);
     let alternating = hull(|r| match mixed.replace(!mixed.get()) {
@@ -60,7 +65,8 @@ fn windows_have_the_mean_of_the_pressure_of_a_wedge() {
     let (deadrise, draught, speed) = (20.0_f64, 0.3, 6.0);
     let hull = prism(EntryModel::Mlm, deadrise);
     let plain = landing(&hull, 0.0, 5e4);
-    let mut attitude = water_entry::ditching::Attitude { place: [0.0, 0.0, 0.0], rate: [0.0, -speed, 0.0], ..Default::default() };
+    let mut attitude =
+        water_entry::ditching::Attitude { place: [0.0, 0.0, 0.0], rate: [0.0, -speed, 0.0], ..Default::default() };
     attitude.place[1] = -draught - attitude.of_point(CENTRE, [10.0, 0.0])[1];
     let mut now = plain.moment(0.0, attitude, &[]);
     // the same water at constant speed
@@ -80,7 +86,8 @@ fn windows_have_the_mean_of_the_pressure_of_a_wedge() {
         let window = Window { name: "exit".into(), ends: [4.0, 12.0], girth: GirthRange::Share([low, high]) };
         let count = 200_000;
         let y = |k: f64| 2.0 * (low + (high - low) * k / f64::from(count));
-        let exact: f64 = (0..count).map(|k| y(f64::from(k) + 0.5)).filter(|y| *y < c).map(pressure).sum::<f64>() / f64::from(count);
+        let exact: f64 =
+            (0..count).map(|k| y(f64::from(k) + 0.5)).filter(|y| *y < c).map(pressure).sum::<f64>() / f64::from(count);
         let ours = window.mean_pressure(&plain, &now, window.area(&hull));
         println!("{low} to {high}: {ours} Pa, by hand {exact} Pa: {:.4}", ours / exact - 1.0);
         assert!((ours / exact - 1.0).abs() < 0.01, "{low} to {high}: {ours}, by hand {exact}");
@@ -123,7 +130,18 @@ fn a_drop_on_a_linear_strut_is_half_a_swing() {
     let of_water = RHO * 9.81 * waterplane;
     let series = 2.0 * stiffness * of_water / (stiffness + of_water);
     let omega = (series / mass).sqrt();
-    let run = Landing { aeroplane, pitch: 0.0, path: -0.5 * PI, speed: sink, step: 1e-4, sample_every: 10, end: 0.6, least_speed: -1.0, ..plain }.solve();
+    let run = Landing {
+        aeroplane,
+        pitch: 0.0,
+        path: -0.5 * PI,
+        speed: sink,
+        step: 1e-4,
+        sample_every: 10,
+        end: 0.6,
+        least_speed: -1.0,
+        ..plain
+    }
+    .solve();
     let (first, count) = (run.moments[0].attitude.place[1], run.moments.len());
     assert!(count > 500, "{:?}", run.ended);
     let swings = |m: &LandingState| {

@@ -1,49 +1,11 @@
 //! After the stop: how the aeroplane floats, and what runs into it (THEORY EN53, EN54).
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use settings::{Problem, require};
 use water_entry::ditching::{Afloat, Flooding, Fuselage, Opening, Volume};
 
+use super::afloat_keys::DISCHARGE;
 use super::model::Scene;
-
-/// Discharge coefficient of a sharp-edged opening (Torricelli's law with a contracted jet).
-const DISCHARGE: f64 = 0.6;
-
-/// Table `[flotation]`: how the aeroplane floats after it has stopped.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(default)]
-pub struct FlotationKeys {
-    /// End of time after the stop [s].
-    #[schemars(extend("exclusiveMinimum" = 0))]
-    pub end: f64,
-}
-
-impl Default for FlotationKeys {
-    fn default() -> FlotationKeys {
-        FlotationKeys { end: 1800.0 }
-    }
-}
-
-/// An item of `[[openings]]`: an exit or another hole of the fuselage.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct OpeningKeys {
-    /// A word that names it.
-    pub name: String,
-    /// Its sill: from the nose, over the body axis [m].
-    pub sill: [f64; 2],
-    /// Area that water runs through; 0 for a closed exit, of which only the time is given at which its sill is wet [m²].
-    #[schemars(range(min = 0.0))]
-    pub area: f64,
-    /// Discharge coefficient [-].
-    #[serde(default = "usual_discharge")]
-    #[schemars(range(min = 0.1, max = 1.0))]
-    pub discharge: f64,
-}
-
-fn usual_discharge() -> f64 {
-    DISCHARGE
-}
 
 /// How the aeroplane floats.
 #[derive(Clone, Debug, Serialize)]

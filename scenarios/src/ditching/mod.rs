@@ -14,6 +14,7 @@
 
 mod accelerometers;
 mod aeroplane;
+mod afloat_keys;
 mod afloat_page;
 mod checked;
 mod flotation;
@@ -47,7 +48,8 @@ use scene::{SceneError, texts};
 use settings::Problem;
 use water_entry::ditching::Wing;
 
-pub use flotation::{Flotation, FlotationKeys, OpeningKeys, SillTime};
+pub use afloat_keys::{FlotationKeys, OpeningKeys, StrutKeys};
+pub use flotation::{Flotation, SillTime};
 pub use landed::{Landed, Structure, Summary, follow};
 pub use loads::{Accelerometer, PartLoad, StationLoad};
 pub use model::{AeroplaneKeys, LandingKeys, Scene, schema};
@@ -57,7 +59,6 @@ pub use sea_keys::{SeaKeys, SpectrumKey, TouchdownKey, WavePart};
 pub use sections::{SectionError, SectionResult, SectionScene, section_scenes};
 pub use series::Series;
 pub use stations::StationKeys;
-pub use struts::StrutKeys;
 pub use windows::{WindowKeys, WindowLoad};
 
 static LANDINGS: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/ditching");

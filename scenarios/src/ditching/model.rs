@@ -8,11 +8,10 @@ use settings::Schema;
 use water_entry::EntryModel;
 use water_entry::ditching::{Water, Wing};
 
-use super::flotation::{FlotationKeys, OpeningKeys};
+use super::afloat_keys::{FlotationKeys, OpeningKeys, StrutKeys};
 use super::parts::{AccelerometerKeys, BeamKeys, MassKeys, NacelleKeys, PanelKeys, SurfaceKeys};
 use super::sea_keys::SeaKeys;
 use super::stations::StationKeys;
-use super::struts::StrutKeys;
 use super::windows::WindowKeys;
 
 /// The schema of a landing's file.

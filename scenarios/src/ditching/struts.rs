@@ -1,82 +1,13 @@
 //! Struts of a landing, of their keys (THEORY EN52).
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
 use settings::{Problem, require, significant};
 use water_entry::ditching::{STRUTS, Strut, StrutSpring};
 
+use super::afloat_keys::StrutKeys;
 use super::model::Scene;
 
 /// Largest product of a foot's frequency on its stiffest support and the step, and of its rate of damping and the step.
 const FASTEST: [f64; 2] = [1.0, 2.0];
-
-/// An item of `[[struts]]`: a strut along the normal of the body axis with wheels or a float; loads and masses are those of one.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct StrutKeys {
-    /// A word that names them.
-    pub name: String,
-    /// How many of them side by side.
-    #[serde(default = "usual::number")]
-    #[schemars(range(min = 1, max = 12))]
-    pub number: u32,
-    /// Lowest point of wheel or float, extended: from the nose, over the body axis [m].
-    pub foot: [f64; 2],
-    /// Mass that moves with wheel or float; part of the aeroplane's mass [kg].
-    #[schemars(extend("exclusiveMinimum" = 0))]
-    pub mass: f64,
-    /// Largest stroke; beyond it a stop stands, 20 times as stiff as the load there over the stroke [m].
-    #[schemars(extend("exclusiveMinimum" = 0))]
-    pub stroke: f64,
-    /// Load at which the stroke begins [N].
-    #[serde(default)]
-    #[schemars(range(min = 0.0))]
-    pub preload: f64,
-    /// Stiffness of a linear spring [N/m].
-    #[schemars(extend("exclusiveMinimum" = 0, "x-default" = "required unless gas_length"))]
-    pub stiffness: Option<f64>,
-    /// Length of the gas column of an oleo, extended; more than the stroke [m].
-    #[schemars(extend("exclusiveMinimum" = 0, "x-default" = "required unless stiffness"))]
-    pub gas_length: Option<f64>,
-    /// Exponent of the polytropic compression of the gas [-].
-    #[serde(default = "usual::exponent")]
-    #[schemars(range(min = 1.0, max = 1.67))]
-    pub gas_exponent: f64,
-    /// Load per speed of the stroke [N s/m].
-    #[serde(default)]
-    #[schemars(range(min = 0.0))]
-    pub damping: f64,
-    /// Load per square of the speed of the stroke, of an orifice [N s²/m²].
-    #[serde(default)]
-    #[schemars(range(min = 0.0))]
-    pub orifice: f64,
-    /// Force of the water at which it is lost [N].
-    #[schemars(extend("exclusiveMinimum" = 0, "x-default" = "it holds"))]
-    pub breaks_at: Option<f64>,
-    /// Breadth and height above the foot of what stands against the water: wheels and leg [m], shape (2).
-    pub face: [f64; 2],
-    /// Drag coefficient of its immersed part [-].
-    #[serde(default = "usual::drag")]
-    #[schemars(range(min = 0.0, max = 2.0))]
-    pub drag: f64,
-    /// Area of a float's waterplane; its buoyancy is that of upright sides [m²].
-    #[serde(default)]
-    #[schemars(range(min = 0.0))]
-    pub waterplane: f64,
-}
-
-mod usual {
-    pub fn number() -> u32 {
-        1
-    }
-    /// Air in oleos that stroke fast (Milwitzky & Cook 1953).
-    pub fn exponent() -> f64 {
-        1.12
-    }
-    /// A disc in a cavity (Reichardt 1946).
-    pub fn drag() -> f64 {
-        0.8
-    }
-}
 
 /// The struts of a landing.
 pub(super) fn struts(scene: &Scene) -> Result<Vec<Strut>, Problem> {

@@ -1,9 +1,9 @@
 //! Where an aeroplane is and how it moves.
 
-use super::struts::STRUTS;
-
 /// Bending modes of the fuselage that a landing has room for.
 pub const MODES: usize = 4;
+/// Struts of an aeroplane, at most: kinds of struts, each of several side by side.
+pub const STRUTS: usize = 4;
 /// Degrees of freedom: forward, up, pitch, bending modes.
 pub const FREEDOMS: usize = 3 + MODES;
 

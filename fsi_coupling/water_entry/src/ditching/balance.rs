@@ -1,12 +1,12 @@
 //! Forces on an aeroplane on the water, and its accelerations under them (THEORY EN18, EN19, EN27).
 
 use super::aeroplane::{Aeroplane, Water};
-use super::attitude::{Attitude, FREEDOMS};
+use super::attitude::{Attitude, FREEDOMS, STRUTS};
 use super::bending::Bending;
 use super::landing::Landing;
 use super::parts::PointForce;
 use super::strip::{Bottom, ImpactingPart, KeelPoint, Strip, along};
-use super::struts::{STRUTS, StrutLoad};
+use super::struts::StrutLoad;
 use super::swell::Swell;
 use crate::planing::finite_length;
 

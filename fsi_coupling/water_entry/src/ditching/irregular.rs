@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::swell::SurfaceMotion;
+use super::surface_motion::SurfaceMotion;
 
 /// Waves of a sea.
 const WAVES: usize = 40;

@@ -1,9 +1,8 @@
 //! Motion of an aeroplane on the water, in its plane of symmetry (THEORY EN18).
 
-use super::attitude::{Attitude, FREEDOMS, MODES};
+use super::attitude::{Attitude, FREEDOMS, MODES, STRUTS};
 use super::balance::Balance;
 use super::landing::{Landing, LandingEnd, LandingResult, LandingState};
-use super::struts::STRUTS;
 use super::swell::Swell;
 
 /// Steepest pitch that strips across the way of flight stand for [rad].

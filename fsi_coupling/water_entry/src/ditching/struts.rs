@@ -3,8 +3,6 @@
 use super::attitude::{Attitude, FREEDOMS};
 use super::swell::Swell;
 
-/// Struts of an aeroplane, at most: kinds of struts, each of several side by side.
-pub const STRUTS: usize = 4;
 /// Stiffness of the stops at the ends of the stroke over the load at the end of the stroke per stroke [-].
 const STOP: f64 = 20.0;
 /// Largest share of a gas column's length that is pressed in [-].

@@ -3,6 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use super::irregular::{Components, Jonswap};
+use super::surface_motion::SurfaceMotion;
 use crate::waves::linear_wave::LinearWave;
 
 /// Regular, long-crested swell on deep water (THEORY EN36). The default is calm water.
@@ -24,17 +25,6 @@ pub struct Swell {
     pub elapsed: f64,
     /// Place where x = 0 is in their phases [m].
     pub origin: f64,
-}
-
-/// The water's surface at a place, and how the water there moves; forward and up.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct SurfaceMotion {
-    /// Height over still water [m].
-    pub elevation: f64,
-    /// Velocity of a plane of water, and of the surface in it [m/s].
-    pub velocity: [f64; 2],
-    /// Their accelerations [m/s²].
-    pub acceleration: [f64; 2],
 }
 
 impl Swell {
