@@ -45,7 +45,7 @@ pub struct StrutKeys {
     #[serde(default)]
     #[schemars(range(min = 0.0))]
     pub orifice: f64,
-    /// Force of the water at which it is lost [N].
+    /// Force on the fuselage, weight of the foot included, at which it is lost [N].
     #[schemars(extend("exclusiveMinimum" = 0, "x-default" = "it holds"))]
     pub breaks_at: Option<f64>,
     /// Breadth and height above the foot of what stands against the water: wheels and leg [m], shape (2).

@@ -121,8 +121,6 @@ impl Landing<'_> {
             let along = load.map_or(0.0, |s| s.along + strut.number * strut.mass * water.gravity * cos - s.water_along);
             let force = load.map_or([0.0; 3], |s| [0, 1, 2].map(|k| s.water[k] + along * s.lever[k]));
             given.add(strut.foot[0], force);
-            let water = load.map(|s| PointForce { x: strut.foot[0], force: s.water });
-            parts.push(water.into_iter().collect());
         }
 
         let entering: Vec<ImpactingPart> = bodies.iter().flatten().filter_map(|s| s.entry).collect();
@@ -144,11 +142,15 @@ impl Landing<'_> {
         let mut force = [0, 1, 2].map(|k| inertia[k] * acceleration[k] - air[k]);
         let mut of_strokes = [0.0; STRUTS];
         for (k, (load, strut)) in struts.iter().zip(&craft.struts).enumerate() {
+            parts.push(Vec::new());
             let Some(s) = load else { continue };
             let mass = strut.number * strut.mass;
             of_strokes[k] = (s.water_along - s.along) / mass - water.gravity * cos - along(&s.lever, &acceleration);
             // of the water's force a part moves the foot only
-            (0..3).for_each(|i| force[i] += mass * of_strokes[k] * s.lever[i]);
+            let of_foot = [0, 1, 2].map(|i| mass * of_strokes[k] * s.lever[i]);
+            (0..3).for_each(|i| force[i] += of_foot[i]);
+            let on_fuselage = PointForce { x: strut.foot[0], force: [0, 1, 2].map(|i| s.water[i] - of_foot[i]) };
+            parts[craft.first_strut() + k].push(on_fuselage);
         }
         Balance { acceleration, of_strokes, force, lift, strips, parts }
     }

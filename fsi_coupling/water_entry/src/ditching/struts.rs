@@ -43,7 +43,7 @@ pub struct Strut {
     pub damping: f64,
     /// Load per square of the speed of the stroke, of an orifice [N s²/m²].
     pub orifice: f64,
-    /// Load of the water at which it is lost [N]; `None`: it holds.
+    /// Force on the fuselage at which it is lost [N]; `None`: it holds.
     pub breaks_at: Option<f64>,
     /// Breadth and height of what stands against the water above the foot [m].
     pub face: [f64; 2],
