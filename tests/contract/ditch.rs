@@ -184,7 +184,7 @@ fn a_landing_of_outlines_shows_pressures_and_flotation() {
     );
     let summary = place.summary("out");
     let window = &summary["windows"][0];
-    assert!(window["pressure_pa"]["value"].as_f64().expect("a number") > 1e3, "{window}");
+    assert!(window["mean_pressure_pa"]["value"].as_f64().expect("a number") > 1e3, "{window}");
     let afloat = &summary["flotation"];
     assert!(afloat["floats"] == true && afloat["reserve"].as_f64().expect("a number") > 5.0, "{afloat}");
     assert!(

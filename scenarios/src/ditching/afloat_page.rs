@@ -25,7 +25,13 @@ pub(super) fn blocks(landed: &Landed) -> Vec<Block> {
 fn windows_table(windows: &[WindowLoad]) -> Table {
     let line = |w: &WindowLoad| {
         let ends = format!("{} to {}", digits(w.ends_m[0]), digits(w.ends_m[1]));
-        row(&[&w.name, &ends, &digits(w.area_m2), &with_unit(w.pressure_pa.value, "Pa"), &digits(w.pressure_pa.time_s)])
+        row(&[
+            &w.name,
+            &ends,
+            &digits(w.area_m2),
+            &with_unit(w.mean_pressure_pa.value, "Pa"),
+            &digits(w.mean_pressure_pa.time_s),
+        ])
     };
     let head = ["window", "from the nose [m]", "area of one side [m²]", "largest mean pressure", "time [s]"];
     Table::new("Windows: largest mean pressure", &head, windows.iter().map(line).collect())

@@ -243,7 +243,7 @@ impl Summary {
     /// Windows and flotation, a line for each.
     fn afloat_text(&self) -> String {
         let window = |w: &WindowLoad| {
-            let (mean, time) = (1e-3 * w.pressure_pa.value, w.pressure_pa.time_s);
+            let (mean, time) = (1e-3 * w.mean_pressure_pa.value, w.mean_pressure_pa.time_s);
             format!(
                 "\n  window {}: largest mean pressure {mean:.1} kPa at {time:.3} s over {:.2} m2",
                 w.name, w.area_m2

@@ -37,7 +37,7 @@ pub struct WindowLoad {
     /// Its area on one side [m²].
     pub area_m2: f64,
     /// Largest mean pressure over it [Pa].
-    pub pressure_pa: Peak,
+    pub mean_pressure_pa: Peak,
 }
 
 /// The windows of their keys.
@@ -100,7 +100,7 @@ pub(super) fn pressures(
                 peak = Peak { value, time_s: now.time, verdict: None };
             }
         }
-        WindowLoad { name: window.name.clone(), ends_m: window.ends, area_m2: *area, pressure_pa: peak }
+        WindowLoad { name: window.name.clone(), ends_m: window.ends, area_m2: *area, mean_pressure_pa: peak }
     };
     let loads = windows.iter().map(of_window).collect();
     if landing.hull.model() == EntryModel::VonKarman {
