@@ -41,21 +41,18 @@ fn map_table(map: &PressureMap) -> Table {
     let of_line = |first: usize| {
         let cells = first..(first + CELLS).min(map.mean.len());
         let means = (0..map.shares).map(|k| cells.clone().map(|c| map.mean[c][k][0]).fold(0.0, f64::max));
-        let largest = cells.clone().map(|c| map.largest[c][0]).fold(0.0, f64::max);
-        (map.places[first], map.places[cells.end], means.collect::<Vec<f64>>(), largest)
+        (map.places[first], map.places[cells.end], means.collect::<Vec<f64>>())
     };
     let lines: Vec<_> = (0..map.mean.len()).step_by(CELLS).map(of_line).collect();
-    let unit = Unit::of("Pa", lines.iter().flat_map(|(_, _, means, _)| means).fold(0.0, |most: f64, v| most.max(*v)));
-    let pressed = lines.iter().filter(|(.., largest)| *largest > 0.0);
-    let rows = pressed.map(|(from, to, means, largest)| {
+    let unit = Unit::of("Pa", lines.iter().flat_map(|(.., means)| means).fold(0.0, |most: f64, v| most.max(*v)));
+    let pressed = lines.iter().filter(|(.., means)| means.iter().any(|mean| *mean > 0.0));
+    let rows = pressed.map(|(from, to, means)| {
         let ends = format!("{} to {}", digits(*from), digits(*to));
-        let means = means.iter().map(|v| digits(unit.scale * v));
-        std::iter::once(ends).chain(means).chain([digits(unit.scale * largest)]).collect()
+        std::iter::once(ends).chain(means.iter().map(|v| digits(unit.scale * v))).collect()
     });
     let share = |k: usize| format!("{} %", digits(100.0 * (k as f64 + 1.0) / map.shares as f64));
     let heads = (0..map.shares).map(|k| format!("up to {}", share(k)));
-    let head: Vec<String> =
-        std::iter::once("from the nose [m]".to_string()).chain(heads).chain(["at a point".to_string()]).collect();
+    let head: Vec<String> = std::iter::once("from the nose [m]".to_string()).chain(heads).collect();
     let title = format!(
         "Largest mean pressure [{}] on cells along the fuselage and the girth, from the keel to the edge (0 to 100 %); pressure_map.csv has \
          smaller cells and the times",

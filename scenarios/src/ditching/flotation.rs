@@ -74,7 +74,7 @@ pub(super) fn flotation(scene: &Scene, fuselage: &Fuselage, lost: &[String]) -> 
         Opening {
             name: panel.name.clone(),
             sill: [x, fuselage.keel(x).height],
-            area: (panel.to - panel.from) * fuselage.breadth(x),
+            area: panel.hole.unwrap_or((panel.to - panel.from) * fuselage.breadth(x)),
             discharge: DISCHARGE,
         }
     });

@@ -24,7 +24,8 @@ pub struct SeaKeys {
     #[schemars(range(min = 0.0, max = 180.0))]
     pub heading_deg: f64,
     /// Where the aeroplane first touches, seen in the direction of flight; or the phase there, 0 at a crest, 90 on the down slope [deg].
-    #[schemars(extend("x-default" = "required without spectrum"))]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "TouchdownKey", extend("x-default" = "required without spectrum"))]
     pub touchdown: Option<TouchdownKey>,
     /// Significant height of irregular waves [m].
     #[schemars(extend("exclusiveMinimum" = 0, "x-default" = "required with spectrum"))]
@@ -33,10 +34,10 @@ pub struct SeaKeys {
     #[schemars(extend("exclusiveMinimum" = 0, "x-default" = "required with spectrum"))]
     pub peak_period: Option<f64>,
     /// Peak enhancement of their spectrum [-].
-    #[schemars(range(min = 1.0, max = 10.0), extend("x-default" = 3.3))]
+    #[schemars(range(min = 1.0, max = 10.0), extend("x-default" = "3.3"))]
     pub gamma: Option<f64>,
     /// Seed of their phases; each whole number is another sea.
-    #[schemars(extend("x-default" = 1))]
+    #[schemars(extend("x-default" = "1"))]
     pub seed: Option<u32>,
 }
 

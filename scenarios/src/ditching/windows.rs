@@ -113,16 +113,15 @@ pub(super) fn pressures(
 
 /// The file of a map: a row for each cell.
 pub(super) fn csv(map: Option<&PressureMap>, fuselage: &Fuselage) -> String {
-    let head =
-        "x_from_m,x_to_m,breadth_m,girth_from,girth_to,mean_pressure_Pa,time_s,largest_pressure_Pa,largest_time_s\n";
+    let head = "x_from_m,x_to_m,breadth_m,girth_from,girth_to,mean_pressure_Pa,time_s\n";
     let rows = map.into_iter().flat_map(|map| {
         (0..map.mean.len()).flat_map(move |cell| {
             (0..map.shares).map(move |k| {
-                let ([mean, time], [largest, when]) = (map.mean[cell][k], map.largest[cell]);
+                let [mean, time] = map.mean[cell][k];
                 let (from, to) = (map.places[cell], map.places[cell + 1]);
                 let [low, high] = [k, k + 1].map(|k| k as f64 / map.shares as f64);
                 let breadth = fuselage.breadth(0.5 * (from + to));
-                format!("{from:.4},{to:.4},{breadth:.4},{low},{high},{mean:.6e},{time:.6},{largest:.6e},{when:.6}\n")
+                format!("{from:.4},{to:.4},{breadth:.4},{low},{high},{mean:.6e},{time:.6}\n")
             })
         })
     });
