@@ -6,7 +6,7 @@ use crate::command::Workplace;
 
 const SHORT: [&str; 6] = ["ditch", "mercure", "--set", "landing.end=0.5", "--out", "out"];
 
-/// Four files; the summary on stdout; the resolved landing lands to the same bits; a second one does not replace the first.
+/// Five files; the summary on stdout; the resolved landing lands to the same bits; a second one does not replace the first.
 #[test]
 fn a_landing_writes_its_files() {
     let place = Workplace::new();
@@ -106,6 +106,191 @@ fn sections_of_a_landing_can_be_checked_and_run() {
         assert!(draught / number("spacing") > 19.0, "{draught} m in spacings of {} m", number("spacing"));
         let checked = place.run(&["check", file.path().to_str().expect("a path")]);
         assert_eq!(checked.code, Some(0), "{}", checked.message);
+    }
+}
+
+fn write(place: &Workplace, name: &str, text: &str) {
+    std::fs::write(place.path(name), text).expect("a file");
+}
+
+/// Frames of a fuselage in files of their own, whole and half, and what stands beside them: struts, windows, exits.
+fn own_landing(place: &Workplace) {
+    let mut scene = String::from(OWN);
+    for (k, (x, radius, keel)) in
+        [(0.0, 0.5, -0.5), (3.0, 1.4, -1.4), (12.0, 1.5, -1.5), (18.0, 0.8, 0.0)].into_iter().enumerate()
+    {
+        let whole = k % 2 == 0;
+        let count = if whole { 72 } else { 37 };
+        let point = |j: i32| {
+            let angle = std::f64::consts::PI * f64::from(j) / 36.0;
+            format!("{:.3},{:.3}\n", 1e3 * radius * f64::sin(angle), 1e3 * (keel + radius - radius * f64::cos(angle)))
+        };
+        let points: String = (0..count).map(point).collect();
+        write(&place, &format!("frame{k}.csv"), &format!("x [mm],y [mm]\n{points}"));
+        scene += &format!("\n[[stations]]\nx = {x:?}\noutline = \"frame{k}.csv\"\n");
+    }
+    write(&place, "own.toml", &scene);
+}
+
+const OWN: &str = r#"name = "own"
+[landing]
+angle_of_attack_deg = 10.0
+flight_path_deg = -2.0
+end = 0.8
+[aeroplane]
+mass = 9e3
+radius_of_gyration = 3.6
+center_of_mass = [8.5, -0.2]
+[wing]
+area = 40.0
+chord = 2.2
+lift_slope = 4.6
+zero_lift_deg = -9.0
+[[struts]]
+name = "gear"
+number = 2
+foot = [9.5, -2.4]
+mass = 150.0
+stroke = 0.3
+preload = 1e4
+gas_length = 0.35
+face = [0.4, 0.9]
+[[windows]]
+name = "hatch"
+from = 11.0
+to = 13.0
+girth = [0.2, 0.8]
+[[openings]]
+name = "exit"
+sill = [14.0, 0.3]
+area = 0.0
+[[openings]]
+name = "valve"
+sill = [12.0, -1.0]
+area = 0.05
+"#;
+
+/// Stations from files; loads along the girth, windows, flotation in summary, page and map; the resolved landing needs no files and gives the same bits.
+#[test]
+fn a_landing_of_outlines_shows_pressures_and_flotation() {
+    let place = Workplace::new();
+    own_landing(&place);
+    let ended = place.run(&["ditch", "own.toml", "--out", "out"]);
+    assert_eq!(ended.code, Some(0), "{}", ended.message);
+    assert!(
+        ended.stdout.contains("window hatch: largest mean pressure") && ended.stdout.contains("valve"),
+        "{}",
+        ended.stdout
+    );
+    let summary = place.summary("out");
+    let window = &summary["windows"][0];
+    assert!(window["mean_pressure_pa"]["value"].as_f64().expect("a number") > 1e3, "{window}");
+    let afloat = &summary["flotation"];
+    assert!(afloat["floats"] == true && afloat["reserve"].as_f64().expect("a number") > 5.0, "{afloat}");
+    assert!(
+        afloat["openings"][1]["reached_s"] == 0.0 && afloat["inside_m3"].as_f64().expect("a number") > 1.0,
+        "{afloat}"
+    );
+    let map = place.text("out/pressure_map.csv");
+    assert!(map.starts_with("x_from_m,x_to_m,breadth_m,girth_from,") && map.lines().count() == 321, "{map}");
+    let page = place.text("out/report.html");
+    for part in
+        ["Windows: largest mean pressure", "smaller cells and the times", "Flotation: openings", "skipping of tyres"]
+    {
+        assert!(page.contains(part), "{part}");
+    }
+    let again = place.run(&["ditch", "out/scene.resolved.toml", "--out", "again", "--quiet"]);
+    assert_eq!(again.code, Some(0), "{}", again.message);
+    assert_eq!(place.text("again/series.csv"), place.text("out/series.csv"));
+    assert_eq!(place.text("again/pressure_map.csv"), map);
+    let sections = place.run(&[
+        "ditch",
+        "own.toml",
+        "--out",
+        "cut",
+        "--export-sections",
+        "sections",
+        "--sections",
+        "1",
+        "--quiet",
+    ]);
+    assert_eq!(sections.code, Some(0), "{}", sections.message);
+    let file = std::fs::read_dir(place.path("sections")).expect("a folder").flatten().next().expect("a scene");
+    let checked = place.run(&["check", file.path().to_str().expect("a path")]);
+    assert_eq!(checked.code, Some(0), "{}", checked.message);
+}
+
+/// A sea of a spectrum: the same seed gives the same bits on any number of threads, another seed another landing.
+#[test]
+fn an_irregular_sea_is_known_by_its_seed() {
+    let place = Workplace::new();
+    let landed = |seed: &str, threads: &str, out: &str| {
+        let sea =
+            format!("sea={{spectrum=\"jonswap\",significant_height=1.0,peak_period=7.0,heading_deg=180,seed={seed}}}");
+        let ended = place.run(&[
+            "ditch",
+            "mercure",
+            "--set",
+            "landing.end=0.5",
+            "--set",
+            &sea,
+            "--threads",
+            threads,
+            "--out",
+            out,
+        ]);
+        assert_eq!(ended.code, Some(0), "{}", ended.message);
+        assert!(ended.stdout.contains("one sample of many"), "{}", ended.stdout);
+        place.text(&format!("{out}/series.csv"))
+    };
+    let first = landed("3", "1", "a");
+    assert_eq!(landed("3", "2", "b"), first);
+    assert_ne!(landed("4", "1", "c"), first);
+    assert!(place.summary("a")["sea"]["closing_speed_m_per_s"].as_f64().expect("a number") > 0.0);
+}
+
+/// Wrong values of stations with outlines, windows, struts, exits and seas: line, key, value, what was expected.
+#[test]
+fn keys_of_outlines_struts_windows_and_seas_are_refused() {
+    let place = Workplace::new();
+    own_landing(&place);
+    write(&place, "flat.csv", "x,y\n-1,0\n1,0\n1,2\n-1,2\n");
+    write(&place, "lopsided.csv", "x,y\n-1,0.9\n0.1,0\n1,0.4\n1,2\n-1,2\n");
+    write(&place, "bad.csv", "x,y\n0,0\none,2\n");
+    for (set, says) in [
+        ("stations[1].outline=\"none.csv\"", ["stations[1].outline", "that can be read"]),
+        ("stations[1].outline=\"bad.csv\"", ["stations[1].outline", "bad.csv:3"]),
+        ("stations[1].outline=\"lopsided.csv\"", ["stations[1].outline", "symmetric"]),
+        ("stations[1].outline=\"flat.csv\"", ["stations[1]", "a flat keel"]),
+        ("stations[1].outline_unit=\"yd\"", ["stations[1].outline_unit", "a unit of length"]),
+        ("stations[1].breadth=4.0", ["stations[1].breadth", "the breadth of the outline"]),
+        ("stations[1].radius=2.0", ["stations[1].radius", "none beside an outline"]),
+        ("windows[0].to=10.0", ["windows[0].to", "more than windows[0].from"]),
+        ("windows[0].girth=[0.5,1.5]", ["windows[0].girth", "shares from 0 to 1"]),
+        ("windows[0].height=[0.0,1.0]", ["windows[0].girth", "not both"]),
+        ("model=\"von_karman\"", ["model", "beside windows"]),
+        ("struts[0].gas_length=0.2", ["struts[0].gas_length", "more than struts[0].stroke"]),
+        ("struts[0].stiffness=1e5", ["struts[0].gas_length", "not both"]),
+        ("struts[0].preload=0.0", ["struts[0].preload", "the load of the gas"]),
+        ("struts[0].mass=0.01", ["landing.step", "the foot of"]),
+        ("struts[0].foot=[99.0,-2.0]", ["struts[0].foot", "a place on the fuselage"]),
+        ("openings[0].sill=[99.0,0.0]", ["openings[0].sill", "a place on the fuselage"]),
+        ("openings[0].discharge=2.0", ["openings[0].discharge", "from 0.1 to 1"]),
+        (
+            "sea={spectrum=\"jonswap\",significant_height=9.0,peak_period=7.0,heading_deg=0}",
+            ["sea.significant_height", "steeper seas break"],
+        ),
+        ("sea={spectrum=\"jonswap\",heading_deg=0}", ["sea.significant_height", "missing"]),
+        (
+            "sea={height=1.0,length=80.0,heading_deg=0,touchdown=\"crest\",seed=2}",
+            ["sea.seed", "none without sea.spectrum"],
+        ),
+        ("sea={heading_deg=0}", ["sea.height", "missing"]),
+    ] {
+        let ended = place.run(&["ditch", "own.toml", "--set", set, "--out", "none"]);
+        assert_eq!(ended.code, Some(2), "{set}: {}", ended.message);
+        ended.says(&says);
+        assert!(!place.path("none").exists());
     }
 }
 

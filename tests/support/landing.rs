@@ -43,6 +43,7 @@ pub fn landing(hull: &Hull, gravity: f64, mass: f64) -> Landing<'_> {
             surfaces: Vec::new(),
             nacelles: Vec::new(),
             panels: Vec::new(),
+            struts: Vec::new(),
             bending: None,
         },
         water: Water {
@@ -67,12 +68,12 @@ pub fn landing(hull: &Hull, gravity: f64, mass: f64) -> Landing<'_> {
 
 /// A hull of 20 m that tapers and whose keel rises aft.
 pub fn tapered_hull() -> Hull {
-    let wedge = Form::DeadriseDeg(25.0);
+    let wedge = || Form::DeadriseDeg(25.0);
     let stations = [
-        station(0.0, 0.0, 6.0, wedge),
-        station(8.0, 0.0, 6.0, wedge),
-        station(14.0, 0.02, 5.0, wedge),
-        station(20.0, 0.08, 4.0, wedge),
+        station(0.0, 0.0, 6.0, wedge()),
+        station(8.0, 0.0, 6.0, wedge()),
+        station(14.0, 0.02, 5.0, wedge()),
+        station(20.0, 0.08, 4.0, wedge()),
     ];
     Hull::new(Fuselage::new(&stations).expect("a fuselage"), EntryModel::VonKarman).expect("in range")
 }

@@ -11,6 +11,7 @@ mod coupling;
 mod coverage;
 mod dissipation;
 mod ditching;
+mod ditching_outlines;
 mod ditching_parts;
 mod ditching_waves;
 mod echo;

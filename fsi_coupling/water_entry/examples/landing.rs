@@ -19,8 +19,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let wing =
         Wing { area, chord, lift_slope, zero_lift_deg, pitch_stiffness, pitch_damping, trim_deg, drag, air_density };
     let centre = [0.5 * length, 0.5]; // from the nose, and over the body axis
-    let (surfaces, nacelles, panels) = (Vec::new(), Vec::new(), Vec::new());
-    let aeroplane = Aeroplane { mass, inertia: 25.0 * mass, centre, wing, surfaces, nacelles, panels, bending: None };
+    let (surfaces, nacelles, panels, struts) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+    let inertia = 25.0 * mass;
+    let aeroplane = Aeroplane { mass, inertia, centre, wing, surfaces, nacelles, panels, struts, bending: None };
     let landing = Landing {
         hull: &hull,
         aeroplane,

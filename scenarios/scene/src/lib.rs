@@ -74,7 +74,7 @@ pub use legacy::thesis_work;
 pub use library::{MATERIALS, MaterialName, MaterialProperties, WATER_TABLE, WaterName, WaterProperties};
 pub use load::{Loaded, Loader, all_warnings, builtin};
 pub use models::{Choice, Models};
-pub use outline::OutlineReport;
+pub use outline::{OutlineReport, outline_of_section};
 #[cfg(test)]
 pub(crate) use particles_tests::{load, load_text};
 pub use resolve::MOST_ROWS;

@@ -8,6 +8,7 @@ use water_entry::ditching::{Aeroplane, Bending, FuselageError, Masses, Nacelle, 
 
 use super::model::Scene;
 use super::parts::{NacelleKeys, PanelKeys, SurfaceKeys};
+use super::struts::struts;
 
 /// Largest sag of a slowest mode under the weight, g/ω², over the fuselage's length [-]: beyond, bending is not linear.
 const MOST_SAG: f64 = 0.1;
@@ -140,6 +141,7 @@ pub(super) fn aeroplane(scene: &Scene) -> Result<Aeroplane, Problem> {
         surfaces: surfaces(scene)?,
         nacelles: nacelles(scene)?,
         panels: panels(scene)?,
+        struts: struts(scene)?,
         bending: bending(scene, &masses(scene)?)?,
     })
 }

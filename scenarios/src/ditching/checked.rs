@@ -5,9 +5,11 @@ use settings::{Problem, require};
 use water_entry::ditching::{Aeroplane, Fuselage, FuselageError, Hull, Landing, OF_LANDINGS};
 
 use super::aeroplane::aeroplane;
+use super::flotation;
 use super::model::{LandingKeys, Scene};
 use super::sea;
 use super::stations::station;
+use super::windows::windows;
 
 /// Most steps of a run.
 const MOST_STEPS: f64 = 1e6;
@@ -36,6 +38,8 @@ pub(super) fn checked(mut scene: Scene) -> Result<Scene, Problem> {
     names(&scene)?;
     accelerometers(&scene)?;
     assumptions(&scene)?;
+    windows(&scene.windows, &hull, scene.model)?;
+    flotation::check(&scene)?;
     sea::check(&scene, hull.fuselage())?;
     sea::touched(&scene, &untouched(&scene, aeroplane(&scene)?, &hull))?;
     Ok(scene)
@@ -61,9 +65,13 @@ fn names(scene: &Scene) -> Result<(), Problem> {
     let surfaces = scene.surfaces.iter().enumerate().map(|(k, s)| (format!("surfaces[{k}].name"), &s.name));
     let nacelles = scene.nacelles.iter().enumerate().map(|(k, n)| (format!("nacelles[{k}].name"), &n.name));
     let panels = scene.panels.iter().enumerate().map(|(k, p)| (format!("panels[{k}].name"), &p.name));
+    let struts = scene.struts.iter().enumerate().map(|(k, s)| (format!("struts[{k}].name"), &s.name));
+    let windows = scene.windows.iter().enumerate().map(|(k, w)| (format!("windows[{k}].name"), &w.name));
+    let openings = scene.openings.iter().enumerate().map(|(k, o)| (format!("openings[{k}].name"), &o.name));
     let places = scene.accelerometers.iter().enumerate().map(|(k, a)| (format!("accelerometers[{k}].name"), &a.name));
     let mut known: Vec<&str> = Vec::new();
-    for (key, name) in surfaces.chain(nacelles).chain(panels).chain(places) {
+    for (key, name) in surfaces.chain(nacelles).chain(panels).chain(struts).chain(windows).chain(openings).chain(places)
+    {
         word(&key, name)?;
         require(!known.contains(&name.as_str()), &key, name, "a name that nothing else has")?;
         known.push(name);

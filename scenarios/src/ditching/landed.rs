@@ -8,14 +8,16 @@ use run::summary::Peak;
 use scene::vocabulary::Status;
 use serde::Serialize;
 use settings::Problem;
-use water_entry::ditching::{Bending, LandingEnd, LandingResult, Swell};
+use water_entry::ditching::{Bending, Fuselage, LandingEnd, LandingResult, PressureMap, Swell};
 
 use super::aeroplane::masses;
 use super::checked::{hull, landing};
+use super::flotation::{self, Flotation};
 use super::loads::{self, Accelerometer, Bent, PartLoad, StationLoad};
 use super::model::Scene;
 use super::sea::{self, Sea};
 use super::series::Series;
+use super::windows::{self, WindowLoad};
 
 /// What is said of all loads of a landing.
 const NO_BAND: &str = "no band of these loads and accelerations is known: do not design by them";
@@ -30,6 +32,16 @@ pub struct Landed {
     pub run: LandingResult,
     /// Motion, accelerometers and loads in time.
     pub series: Series,
+    /// Largest pressures along the bottom; `None` by a theory without pressures.
+    pub map: Option<PressureMap>,
+    fuselage: Fuselage,
+}
+
+impl Landed {
+    /// The file of the largest pressures.
+    pub(super) fn map_csv(&self) -> String {
+        windows::csv(self.map.as_ref(), &self.fuselage)
+    }
 }
 
 /// Follow a landing that was [loaded](super::load).
@@ -45,10 +57,16 @@ pub fn follow(scene: &Scene) -> Landed {
     let run = landing.solve();
     let series = Series::new(scene, &landing, &run.moments);
     let (stations, balance_error) = loads::stations(scene, &landing, &masses, &run.moments);
+    let places = windows::windows(&scene.windows, &hull, scene.model).unwrap_or_else(|problem| refused(problem));
+    let (windows, map) = windows::pressures(&landing, &places, &run.moments);
+    let parts = loads::parts(&landing, &run.moments);
+    let lost: Vec<String> = parts.iter().filter(|p| p.lost_at_s.is_some()).map(|p| p.name.clone()).collect();
     let bent = landing.aeroplane.bending.as_ref().map(|bending| Bent::of(bending, &run.moments));
     let structure = Structure {
         accelerometers: scene.accelerometers.iter().map(|keys| Accelerometer::of_series(keys, &series)).collect(),
-        parts: loads::parts(&landing, &run.moments),
+        parts,
+        windows,
+        flotation: flotation::flotation(scene, hull.fuselage(), &lost),
         deflection_m: bent.map(|bent| bent.deflection),
         frequencies_hz: frequencies(landing.aeroplane.bending.as_ref()),
         stations,
@@ -57,7 +75,7 @@ pub fn follow(scene: &Scene) -> Landed {
     let mut summary = Summary::new(scene, &run, &series, structure, start.elapsed().as_secs_f64());
     (summary.sea, summary.warnings) = (Sea::of(scene, &landing), sea::warnings(scene, &landing));
     summary.warnings.extend(bent.and_then(|bent| bent.too_far()));
-    Landed { summary, swell: landing.swell, run, series }
+    Landed { summary, swell: landing.swell, run, series, map, fuselage: hull.fuselage().clone() }
 }
 
 /// Frequencies of the bending modes [Hz].
@@ -133,6 +151,12 @@ pub struct Structure {
     pub accelerometers: Vec<Accelerometer>,
     /// Load of each part that may meet the water.
     pub parts: Vec<PartLoad>,
+    /// Windows of the bottom; absent without.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub windows: Vec<WindowLoad>,
+    /// How it floats after the stop; absent where that is not asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub flotation: Option<Flotation>,
     /// Largest deflection of the fuselage from its straight axis [m]; absent for a rigid one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub deflection_m: Option<Peak>,
@@ -216,11 +240,38 @@ impl Summary {
         line("accelerometers, upwards and deceleration", &shown, "; ") + &line("lost", &lost, ", ")
     }
 
+    /// Windows and flotation, a line for each.
+    fn afloat_text(&self) -> String {
+        let window = |w: &WindowLoad| {
+            let (mean, time) = (1e-3 * w.mean_pressure_pa.value, w.mean_pressure_pa.time_s);
+            format!(
+                "\n  window {}: largest mean pressure {mean:.1} kPa at {time:.3} s over {:.2} m2",
+                w.name, w.area_m2
+            )
+        };
+        let windows: String = self.structure.windows.iter().map(window).collect();
+        let Some(afloat) = &self.structure.flotation else { return windows };
+        let sill = |s: &flotation::SillTime| {
+            let when = s.reached_s.map_or("stays dry".to_string(), |t| format!("wet at {t:.0} s"));
+            format!("; {} {:.2} m over water, {when}", s.name, s.over_water_m)
+        };
+        let sills: String = afloat.openings.iter().map(sill).collect();
+        let sinks = afloat.sinks_at_s.map_or(String::new(), |t| format!("; sinks at {t:.0} s"));
+        match afloat.floats {
+            true => format!(
+                "{windows}\n  afloat: water {:.2} m over the body axis at the centre of mass, trim {:.1} degrees{sills}{sinks}",
+                afloat.waterline_m, afloat.trim_deg
+            ),
+            false => windows + "\n  afloat: it has no trim within 31 degrees, or sinks at once",
+        }
+    }
+
     /// The first contact with the waves, and the warnings, a line for each.
     fn sea_text(&self) -> String {
         let touch = self.sea.as_ref().map_or(String::new(), |sea| {
             let Sea { touchdown_phase_deg: phase, touchdown_at_m: at, elevation_m: elevation, .. } = sea;
-            format!("\n  first contact {at:.1} m from the nose at phase {phase:.0} degrees, elevation {elevation:.2} m")
+            let phase = phase.map_or(String::new(), |phase| format!(" at phase {phase:.0} degrees"));
+            format!("\n  first contact {at:.1} m from the nose{phase}, elevation {elevation:.2} m")
         });
         touch + &self.warnings.iter().map(|warning| format!("\n  warning: {warning}")).collect::<String>()
     }
@@ -255,7 +306,7 @@ impl Summary {
             self.pitch_deg[1],
             self.pitch_deg[2],
             self.sea_text(),
-            self.structure_text(),
+            self.structure_text() + &self.afloat_text(),
             self.assumptions.iter().map(|assumed| format!("\n  assumed: {assumed}")).collect::<String>(),
             self.message
                 .as_ref()

@@ -1,4 +1,4 @@
-//! Ditching by 2D+t: landings of aeroplanes on water, from a file to a report (THEORY EN14–EN19, EN25–EN29, EN36–EN38).
+//! Ditching by 2D+t: landings of aeroplanes on water, from a file to a report (THEORY EN14–EN19, EN25–EN29, EN36–EN38, EN54–EN59).
 //!
 //! # Example
 //! ```
@@ -10,14 +10,18 @@
 //! ```
 //!
 //! A landing is a TOML file of its own kind; [`load`] reads it, [`run`] follows it and writes `series.csv`, `summary.json`,
-//! `report.html` and `scene.resolved.toml`, [`section_scenes`] makes scenes of particles of its sections. [`schema`] has the keys.
+//! `report.html`, `pressure_map.csv` and `scene.resolved.toml`, [`section_scenes`] makes scenes of particles of its sections. [`schema`] has the keys.
 
 mod accelerometers;
 mod aeroplane;
+mod afloat_keys;
+mod afloat_page;
 mod checked;
+mod flotation;
 mod landed;
 mod loads;
 mod model;
+mod outlines;
 mod page;
 mod parts;
 mod sea;
@@ -26,6 +30,8 @@ mod sections;
 mod series;
 mod side_views;
 mod stations;
+mod struts;
+mod windows;
 
 use std::fs;
 use std::path::Path;
@@ -42,15 +48,18 @@ use scene::{SceneError, texts};
 use settings::Problem;
 use water_entry::ditching::Wing;
 
+pub use afloat_keys::{FlotationKeys, OpeningKeys, StrutKeys};
+pub use flotation::{Flotation, SillTime};
 pub use landed::{Landed, Structure, Summary, follow};
 pub use loads::{Accelerometer, PartLoad, StationLoad};
 pub use model::{AeroplaneKeys, LandingKeys, Scene, schema};
 pub use parts::{AccelerometerKeys, BeamKeys, MassKeys, NacelleKeys, PanelKeys, SurfaceKeys};
 pub use sea::Sea;
-pub use sea_keys::{SeaKeys, TouchdownKey, WavePart};
+pub use sea_keys::{SeaKeys, SpectrumKey, TouchdownKey, WavePart};
 pub use sections::{SectionError, SectionResult, SectionScene, section_scenes};
 pub use series::Series;
 pub use stations::StationKeys;
+pub use windows::{WindowKeys, WindowLoad};
 
 static LANDINGS: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/ditching");
 
@@ -71,7 +80,8 @@ pub fn load_text(name: &str, text: &str, sets: &[String]) -> Result<Scene, Scene
 }
 
 fn loaded(source: &Source) -> Result<Scene, SceneError> {
-    let given = source.read()?;
+    let mut given = source.read()?;
+    outlines::settle(&mut given, &source.name).map_err(|problem| source.error(problem))?;
     let scene = Draft::of(&given, schema()).and_then(|draft| read(&draft));
     scene.and_then(checked).map_err(|problem| source.error(problem))
 }
@@ -86,6 +96,10 @@ fn read(draft: &Draft) -> Result<Scene, Problem> {
     each("surfaces").iter().try_for_each(|item| draft.read::<SurfaceKeys>(item).map(drop))?;
     each("nacelles").iter().try_for_each(|item| draft.read::<NacelleKeys>(item).map(drop))?;
     each("panels").iter().try_for_each(|item| draft.read::<PanelKeys>(item).map(drop))?;
+    each("struts").iter().try_for_each(|item| draft.read::<StrutKeys>(item).map(drop))?;
+    each("windows").iter().try_for_each(|item| draft.read::<WindowKeys>(item).map(drop))?;
+    each("openings").iter().try_for_each(|item| draft.read::<OpeningKeys>(item).map(drop))?;
+    draft.is_given("flotation").then(|| draft.read::<FlotationKeys>("flotation")).transpose()?;
     each("accelerometers").iter().try_for_each(|item| draft.read::<AccelerometerKeys>(item).map(drop))?;
     draft.is_given("beam").then(|| draft.read::<BeamKeys>("beam")).transpose()?;
     draft.is_given("sea").then(|| draft.read::<SeaKeys>("sea")).transpose()?;
@@ -94,7 +108,7 @@ fn read(draft: &Draft) -> Result<Scene, Problem> {
 }
 
 /// Files of a landing.
-pub const FILES: [&str; 4] = ["series.csv", "summary.json", "scene.resolved.toml", "report.html"];
+pub const FILES: [&str; 5] = ["series.csv", "summary.json", "scene.resolved.toml", "report.html", "pressure_map.csv"];
 
 /// Follow a landing and write its files into a folder; `force` replaces those that it holds.
 ///
@@ -104,7 +118,8 @@ pub fn run(scene: &Scene, out: &Path, force: bool) -> Result<Landed, RunError> {
     refuse_files(out, &FILES, force)?;
     let landed = follow(scene);
     fs::create_dir_all(out).map_err(|e| RunError::Write(out.display().to_string(), e))?;
-    let texts = [landed.series.csv(), landed.summary.to_json(), scene.to_toml(), page::page(scene, &landed)];
+    let texts =
+        [landed.series.csv(), landed.summary.to_json(), scene.to_toml(), page::page(scene, &landed), landed.map_csv()];
     for (name, text) in FILES.iter().zip(texts) {
         write(&out.join(name), &text)?;
     }

@@ -8,9 +8,11 @@ use settings::Schema;
 use water_entry::EntryModel;
 use water_entry::ditching::{Water, Wing};
 
+use super::afloat_keys::{FlotationKeys, OpeningKeys, StrutKeys};
 use super::parts::{AccelerometerKeys, BeamKeys, MassKeys, NacelleKeys, PanelKeys, SurfaceKeys};
 use super::sea_keys::SeaKeys;
 use super::stations::StationKeys;
+use super::windows::WindowKeys;
 
 /// The schema of a landing's file.
 pub fn schema() -> &'static Schema {
@@ -59,6 +61,18 @@ pub struct Scene {
     /// Parts of the bottom that give way.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub panels: Vec<PanelKeys>,
+    /// Struts with wheels or floats that go into the water.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub struts: Vec<StrutKeys>,
+    /// Parts of the bottom whose mean pressure is wanted.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub windows: Vec<WindowKeys>,
+    /// How the aeroplane floats after it has stopped.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub flotation: Option<FlotationKeys>,
+    /// Exits and other holes of the fuselage.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub openings: Vec<OpeningKeys>,
     /// Where accelerations are taken.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub accelerometers: Vec<AccelerometerKeys>,

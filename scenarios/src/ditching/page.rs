@@ -8,6 +8,7 @@ use report::{
 use run::summary::Peak;
 use scene::vocabulary::Status;
 
+use super::afloat_page as afloat;
 use super::landed::{Landed, Structure, seconds};
 use super::loads::StationLoad;
 use super::model::Scene;
@@ -24,8 +25,15 @@ pub(super) fn page(scene: &Scene, landed: &Landed) -> String {
     let assumed = (!scene.assumptions.is_empty()).then(|| {
         ("What the file assumes", vec![Block::Html(list(scene.assumptions.iter().map(|assumed| escape(assumed))))])
     });
-    let first =
-        (loads, [vec![Block::Table(loads_table(scene, landed))], structure_tables(&landed.summary.structure)].concat());
+    let first = (
+        loads,
+        [
+            vec![Block::Table(loads_table(scene, landed))],
+            structure_tables(&landed.summary.structure),
+            afloat::blocks(landed),
+        ]
+        .concat(),
+    );
     let others = [
         ("What the loads leave out", vec![Block::Html(limits(scene, &landed.summary.warnings))]),
         ("Curves", [vec![Block::Html(hint_html())], curves(scene, landed)].concat()),
@@ -131,7 +139,10 @@ fn cards(landed: &Landed) -> Vec<Card> {
             with_unit(sea.touchdown_at_m, "m"),
             with_unit(sea.elevation_m, "m")
         );
-        plain("Phase of the waves at the first contact", digits(sea.touchdown_phase_deg), "°", place)
+        match sea.touchdown_phase_deg {
+            Some(phase) => plain("Phase of the waves at the first contact", digits(phase), "°", place),
+            None => plain("Steepness of the sea", digits(sea.steepness), "", format!("first contact {place}")),
+        }
     });
     largest(landed).into_iter().map(of_largest).chain(others).chain(of_sea).collect()
 }
@@ -232,6 +243,10 @@ fn limits(scene: &Scene, warnings: &[String]) -> String {
                 "The sections are planes of calm water that the fuselage passes through (2D+t, THEORY EN14–EN19): no waves, no wind, no flow \
                  along the fuselage."
             }
+            Some(sea) if sea.spectrum.is_some() => {
+                "The sections are planes of water that move with 40 long-crested waves of linear theory whose sum has the spectrum (2D+t, THEORY EN59): \
+                 the aeroplane does not change the waves; no wind, no slope of the water across the flight, no roll."
+            }
             Some(_) => {
                 "The sections are planes of water that move with regular waves of linear theory (2D+t, THEORY EN36–EN38): the aeroplane does \
                  not change the waves; no wind, no flow along the fuselage, no slope of the water across it, no roll."
@@ -239,8 +254,13 @@ fn limits(scene: &Scene, warnings: &[String]) -> String {
         },
         if scene.surfaces.is_empty() && scene.nacelles.is_empty() { bare } else { parts },
     ];
+    let struts = (!scene.struts.is_empty()).then_some(
+        "Struts: drag of the immersed part of wheels and leg in a steady stream, the buoyancy of floats, spring and damper along the normal of the body \
+         axis. No skipping of tyres, no spray, no cavity that one wheel leaves to another, no side loads.",
+    );
     let of_panels = (!scene.panels.is_empty()).then_some(panels);
-    let items = items.into_iter().chain(of_panels).map(str::to_string).chain(warnings.iter().map(|w| escape(w)));
+    let items =
+        items.into_iter().chain(of_panels).chain(struts).map(str::to_string).chain(warnings.iter().map(|w| escape(w)));
     list(items)
 }
 

@@ -66,6 +66,9 @@ pub struct PanelKeys {
     #[serde(default = "usual_drag")]
     #[schemars(range(min = 0.0, max = 2.0))]
     pub drag: f64,
+    /// Area that water runs through after the stop when it has given way [m²].
+    #[schemars(range(min = 0.0), extend("x-default" = "its length times the breadth"))]
+    pub hole: Option<f64>,
 }
 
 /// A disc in a cavity (Reichardt 1946).

@@ -104,7 +104,7 @@ pub fn section_scenes(scene: &Scene, landed: &Landed, count: usize) -> Vec<Secti
 fn section_scene(scene: &Scene, entry: &ImpactingPart, time: f64, hull: &Hull) -> SectionScene {
     let (x, draught, speed) = (entry.at.x, entry.at.draught, entry.at.speed);
     let breadth = hull.fuselage().breadth(x);
-    let shape = shape_keys(hull.form(x));
+    let shape = shape_keys(&hull.form(x), breadth);
     let name = format!("{}_{x:04.1}m", scene.name).replace('.', "p");
     let SectionLoad { slam, area, .. } = hull.at(x, draught);
     let (time_s, by_theory) =
@@ -118,7 +118,7 @@ fn section_scene(scene: &Scene, entry: &ImpactingPart, time: f64, hull: &Hull) -
          symmetry = \"x\"\ngravity = [0.0, {:?}]\n\n\
          [time]\nend = {:?}\n\n[resolution]\nspacing = {:?}\n\n\
          [fluid]\ndensity = {:?}\n\n\
-         [body]\nname = \"section\"\n{shape}\nbreadth = {breadth:?}\nside_height = {:?}\n\
+         [body]\nname = \"section\"\n{shape}\n\
          motion = \"constant_velocity\"\nvelocity = [0.0, {:?}]\n\n\
          [[gauges]]\nname = \"keel\"\nat = [0.0, 0.0]\n",
         scene.name,
@@ -129,7 +129,6 @@ fn section_scene(scene: &Scene, entry: &ImpactingPart, time: f64, hull: &Hull) -
         1.2 * draught / speed,
         (breadth / SPACINGS).min(draught / SPACINGS_DEEP),
         scene.water.density,
-        0.5 * breadth,
         -speed
     );
     SectionScene { name, text, time_s, by_theory }

@@ -63,7 +63,9 @@ impl Series {
                 moments.iter().map(at).collect::<Vec<f64>>()
             };
             add("elevation_m".into(), of_centre(|swell, x| swell.water(x).elevation));
-            add("phase_deg".into(), of_centre(|swell, x| swell.phase_at(x).to_degrees()));
+            if landing.swell.components.is_none() {
+                add("phase_deg".into(), of_centre(|swell, x| swell.phase_at(x).to_degrees()));
+            }
         }
         for keys in &scene.accelerometers {
             let [normal, longitudinal] = signals(scene, keys, moments, craft.bending.as_ref());

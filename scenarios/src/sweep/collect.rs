@@ -277,7 +277,7 @@ fn usual(summary: &Value) -> Vec<(String, Number)> {
     };
     let Some(results) = summary.get("results") else {
         let items = |list: &str| summary.get(list).and_then(Value::as_array).cloned().unwrap_or_default();
-        let named_items = ["accelerometers", "parts"].map(items).concat();
+        let named_items = ["accelerometers", "parts", "windows"].map(items).concat();
         let of_named = named_items.iter().flat_map(|item| {
             let name = item.get("name").and_then(Value::as_str).unwrap_or_default();
             named(item, &format!("{name}."))

@@ -24,7 +24,7 @@ pub(super) struct Quantity {
 }
 
 /// Numbers of a landing.
-const OF_LANDING: [(&str, &str, &str); 14] = [
+const OF_LANDING: [(&str, &str, &str); 15] = [
     ("az_g", "Upward acceleration", "g"),
     ("deceleration_g", "Deceleration", "g"),
     ("load_factor", "Load factor", "-"),
@@ -37,6 +37,7 @@ const OF_LANDING: [(&str, &str, &str); 14] = [
     ("longitudinal_g", "Deceleration along the body axis", "g"),
     ("force_n", "Force of the water on a part", "N"),
     ("pressure_pa", "Mean pressure on the breadth", "Pa"),
+    ("mean_pressure_pa", "Mean pressure over a window", "Pa"),
     ("shear_n", "Shear force in the fuselage", "N"),
     ("bending_nm", "Bending moment in the fuselage, ends upwards", "N m"),
 ];

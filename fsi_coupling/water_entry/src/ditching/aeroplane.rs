@@ -7,6 +7,7 @@ use super::bending::Bending;
 use super::hull::Hull;
 use super::parts::{Nacelle, Panel, PointForce, Surface};
 use super::strip::Strip;
+use super::struts::Strut;
 use super::swell::Swell;
 
 /// The wing: lift in proportion to the angle of attack and to the speed's square. A landing's table `[wing]`.
@@ -72,6 +73,8 @@ pub struct Aeroplane {
     pub nacelles: Vec<Nacelle>,
     /// Parts of the bottom that give way.
     pub panels: Vec<Panel>,
+    /// Struts, at most [`STRUTS`](super::STRUTS).
+    pub struts: Vec<Strut>,
     /// Bending of the fuselage; `None`: it is rigid.
     pub bending: Option<Bending>,
 }
@@ -142,8 +145,13 @@ impl Wing {
 }
 
 impl Aeroplane {
-    /// Number of parts that may be lost: surfaces, then kinds of nacelles, then panels.
+    /// Number of parts that may be lost: surfaces, then kinds of nacelles, then panels, then struts.
     pub fn parts(&self) -> usize {
+        self.first_strut() + self.struts.len()
+    }
+
+    /// Number of the parts before the struts.
+    pub(super) fn first_strut(&self) -> usize {
         self.surfaces.len() + self.nacelles.len() + self.panels.len()
     }
 
@@ -151,7 +159,8 @@ impl Aeroplane {
     pub fn part_names(&self) -> Vec<&str> {
         let surfaces = self.surfaces.iter().map(|s| s.name.as_str());
         let nacelles = self.nacelles.iter().map(|n| n.name.as_str());
-        surfaces.chain(nacelles).chain(self.panels.iter().map(|p| p.name.as_str())).collect()
+        let panels = self.panels.iter().map(|p| p.name.as_str());
+        surfaces.chain(nacelles).chain(panels).chain(self.struts.iter().map(|s| s.name.as_str())).collect()
     }
 
     /// Forces of the water on the surfaces, on the nacelles' faces, and on the frames behind panels that have given way.
@@ -186,6 +195,11 @@ impl Aeroplane {
         let held = self.surfaces.len() + self.nacelles.len();
         for (lost, panel) in lost[held..].iter_mut().zip(&self.panels) {
             *lost |= panel.is_pressed_in(hull.fuselage(), strips);
+        }
+        let of_struts = lost[self.first_strut()..].iter_mut().zip(&parts[self.first_strut()..]);
+        for ((lost, forces), strut) in of_struts.zip(&self.struts) {
+            let [fx, fz] = [0, 1].map(|k| forces.iter().map(|p| p.force[k]).sum::<f64>());
+            *lost |= strut.breaks_at.is_some_and(|most| fx.hypot(fz) > most * strut.number);
         }
     }
 

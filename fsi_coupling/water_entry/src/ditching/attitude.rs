@@ -2,6 +2,8 @@
 
 /// Bending modes of the fuselage that a landing has room for.
 pub const MODES: usize = 4;
+/// Struts of an aeroplane, at most: kinds of struts, each of several side by side.
+pub const STRUTS: usize = 4;
 /// Degrees of freedom: forward, up, pitch, bending modes.
 pub const FREEDOMS: usize = 3 + MODES;
 
@@ -16,6 +18,10 @@ pub struct Attitude {
     pub bend: [f64; MODES],
     /// Their rates [m/s].
     pub bend_rate: [f64; MODES],
+    /// Strokes of the struts [m].
+    pub stroke: [f64; STRUTS],
+    /// Their rates [m/s].
+    pub stroke_rate: [f64; STRUTS],
 }
 
 impl Attitude {

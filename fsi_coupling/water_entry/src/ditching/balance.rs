@@ -1,11 +1,13 @@
 //! Forces on an aeroplane on the water, and its accelerations under them (THEORY EN18, EN19, EN27).
 
 use super::aeroplane::{Aeroplane, Water};
-use super::attitude::{Attitude, FREEDOMS};
+use super::attitude::{Attitude, FREEDOMS, STRUTS};
 use super::bending::Bending;
 use super::landing::Landing;
 use super::parts::PointForce;
 use super::strip::{Bottom, ImpactingPart, KeelPoint, Strip, along};
+use super::struts::StrutLoad;
+use super::swell::Swell;
 use crate::planing::finite_length;
 
 /// Rounds in which it is found which strips press and which pull.
@@ -14,6 +16,8 @@ const MOST_ROUNDS: usize = 40;
 /// Accelerations and what made them.
 pub(super) struct Balance {
     pub acceleration: [f64; FREEDOMS],
+    /// Accelerations of the strokes [m/s²].
+    pub of_strokes: [f64; STRUTS],
     pub force: [f64; 3],
     pub lift: f64,
     pub strips: Vec<(Strip, f64)>,
@@ -106,8 +110,21 @@ impl Landing<'_> {
         let mut parts = craft.immersed(self.hull, now, &swell, lost, water.density);
         parts.iter().flatten().for_each(|p| given.add(p.x, p.force));
 
+        let struts = self.struts(now, &swell, &lost[lost.len().min(craft.first_strut())..]);
+        let sprung: Vec<(f64, [f64; FREEDOMS])> = struts
+            .iter()
+            .zip(&craft.struts)
+            .filter_map(|(s, strut)| Some((strut.number * strut.mass, s.as_ref()?.lever)))
+            .collect();
+        for (load, strut) in struts.iter().zip(&craft.struts) {
+            // EN56: the foot's mass does not go with the aeroplane along the stroke; across it, it does
+            let along = load.map_or(0.0, |s| s.along + strut.number * strut.mass * water.gravity * cos - s.water_along);
+            let force = load.map_or([0.0; 3], |s| [0, 1, 2].map(|k| s.water[k] + along * s.lever[k]));
+            given.add(strut.foot[0], force);
+        }
+
         let entering: Vec<ImpactingPart> = bodies.iter().flatten().filter_map(|s| s.entry).collect();
-        let (acceleration, loads) = self.accelerations(&entering, given.on);
+        let (acceleration, loads) = self.accelerations(&entering, &sprung, given.on);
         let mut loads = loads.into_iter();
         let mut loaded = bodies.into_iter().map(|strips| {
             let load = |s: Strip| (s, s.entry.and_then(|_| loads.next()).unwrap_or(0.0));
@@ -122,8 +139,27 @@ impl Landing<'_> {
             }));
         }
         let inertia = [craft.mass, craft.mass, craft.inertia];
-        let force = [0, 1, 2].map(|k| inertia[k] * acceleration[k] - air[k]);
-        Balance { acceleration, force, lift, strips, parts }
+        let mut force = [0, 1, 2].map(|k| inertia[k] * acceleration[k] - air[k]);
+        let mut of_strokes = [0.0; STRUTS];
+        for (k, (load, strut)) in struts.iter().zip(&craft.struts).enumerate() {
+            parts.push(Vec::new());
+            let Some(s) = load else { continue };
+            let mass = strut.number * strut.mass;
+            of_strokes[k] = (s.water_along - s.along) / mass - water.gravity * cos - along(&s.lever, &acceleration);
+            // of the water's force a part moves the foot only
+            let of_foot = [0, 1, 2].map(|i| mass * of_strokes[k] * s.lever[i]);
+            (0..3).for_each(|i| force[i] += of_foot[i]);
+            let on_fuselage = PointForce { x: strut.foot[0], force: [0, 1, 2].map(|i| s.water[i] - of_foot[i]) };
+            parts[craft.first_strut() + k].push(on_fuselage);
+        }
+        Balance { acceleration, of_strokes, force, lift, strips, parts }
+    }
+
+    /// EN56: the struts that are not lost.
+    fn struts(&self, now: &Attitude, swell: &Swell, lost: &[bool]) -> Vec<Option<StrutLoad>> {
+        let (craft, water) = (&self.aeroplane, &self.water);
+        let load = |k: usize| craft.struts[k].at(k, craft.centre, now, swell, water.density, water.gravity);
+        (0..craft.struts.len()).map(|k| (!lost.get(k).copied().unwrap_or(false)).then(|| load(k))).collect()
     }
 
     /// The wet strips of `number` equal bottoms side by side.
@@ -142,7 +178,12 @@ impl Landing<'_> {
     }
 
     /// Accelerations under the `given` forces and those of the entering strips, and these [N].
-    fn accelerations(&self, entering: &[ImpactingPart], given: [f64; FREEDOMS]) -> ([f64; FREEDOMS], Vec<f64>) {
+    fn accelerations(
+        &self,
+        entering: &[ImpactingPart],
+        sprung: &[(f64, [f64; FREEDOMS])],
+        given: [f64; FREEDOMS],
+    ) -> ([f64; FREEDOMS], Vec<f64>) {
         let Water { suction, largest_suction, .. } = self.water;
         let Aeroplane { mass, inertia, .. } = self.aeroplane;
         let strip_load = |e: &ImpactingPart, a| StripLoad::of(e, e.force(a), suction, largest_suction);
@@ -153,6 +194,9 @@ impl Landing<'_> {
             let mut matrix: Matrix =
                 std::array::from_fn(|i| std::array::from_fn(|j| if i == j { diagonal(i) } else { 0.0 }));
             let mut right = given;
+            for (mass, lever) in sprung {
+                (0..FREEDOMS).for_each(|i| (0..FREEDOMS).for_each(|j| matrix[i][j] -= mass * lever[i] * lever[j]));
+            }
             for (e, strip_load) in entering.iter().zip(&strip_loads) {
                 let (still, per_acceleration) = strip_load.parts(e);
                 for i in 0..FREEDOMS {

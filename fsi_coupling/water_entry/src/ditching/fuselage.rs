@@ -2,7 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::loft::Loft;
 use super::monotone::Monotone;
+use super::outline::up_to;
 use crate::{EntryModel, OutOfRange, Section};
 
 /// Models for the sections of a landing.
@@ -23,17 +25,19 @@ pub(super) fn outside(refused: &OutOfRange, section: Option<&Section>) -> String
 const STEEPEST_KEEL_DEG: f64 = 60.0;
 
 /// Shape of a section.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Form {
     /// The arc of a circle of this radius [m].
     Radius(f64),
     /// A wedge of this deadrise [deg].
     DeadriseDeg(f64),
+    /// Half of an outline: distance from the plane of symmetry, height over the keel, from the keel outwards [m], shape (n, 2).
+    Outline(Vec<[f64; 2]>),
 }
 
 /// A section at its place.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Station {
     /// Distance from the nose along the body axis [m].
     pub x: f64,
@@ -63,6 +67,8 @@ pub struct Fuselage {
     stations: Vec<Station>,
     keel: Monotone,
     breadth: Monotone,
+    /// Bottoms between stations, where one of them has an outline.
+    loft: Option<Loft>,
 }
 
 /// A fuselage that cannot be: which station (from 0), and why.
@@ -77,19 +83,29 @@ pub struct FuselageError {
 
 impl Form {
     /// The section of a breadth [m].
-    pub fn section(self, breadth: f64) -> Result<Section, OutOfRange> {
+    pub fn section(&self, breadth: f64) -> Result<Section, OutOfRange> {
         match self {
-            Form::Radius(radius) => Section::arc(radius, breadth),
-            Form::DeadriseDeg(deadrise) => Section::wedge(deadrise, breadth),
+            Form::Radius(radius) => Section::arc(*radius, breadth),
+            Form::DeadriseDeg(deadrise) => Section::wedge(*deadrise, breadth),
+            Form::Outline(points) => match up_to(points, 0.5 * breadth) {
+                Some(bottom) => Section::new(&bottom),
+                None => Err(OutOfRange::not_a_section("an outline that is narrower than the breadth")),
+            },
         }
     }
 
     /// Its like on a breadth that is `by` times as large.
-    pub(super) fn scaled(self, by: f64) -> Form {
+    pub(super) fn scaled(&self, by: f64) -> Form {
         match self {
             Form::Radius(radius) => Form::Radius(by * radius),
-            same => same,
+            Form::DeadriseDeg(deadrise) => Form::DeadriseDeg(*deadrise),
+            Form::Outline(points) => Form::Outline(points.iter().map(|p| p.map(|v| by * v)).collect()),
         }
+    }
+
+    /// Is it an outline?
+    pub(super) fn is_outline(&self) -> bool {
+        matches!(self, Form::Outline(_))
     }
 }
 
@@ -110,8 +126,8 @@ impl Fuselage {
             if k > 0 && s.x <= stations[k - 1].x {
                 return refuse(k, format!("x = {} m: expected more than the {} m before", s.x, stations[k - 1].x));
             }
-            match s.form {
-                Form::Radius(r) if !(r >= 0.5 * s.breadth && r.is_finite()) => {
+            match &s.form {
+                Form::Radius(r) if !(*r >= 0.5 * s.breadth && r.is_finite()) => {
                     return refuse(
                         k,
                         format!("radius {r} m: expected at least half the breadth, {} m", 0.5 * s.breadth),
@@ -129,7 +145,19 @@ impl Fuselage {
             let angle = keel.at(stations[k].x)[1].atan().to_degrees();
             return refuse(k, format!("a keel at {angle:.1} degrees to the axis: expected up to {STEEPEST_KEEL_DEG}"));
         }
-        Ok(Fuselage { stations: stations.to_vec(), keel, breadth })
+        let loft = stations.iter().any(|s| s.form.is_outline()).then(|| {
+            let line =
+                |s: &Station| s.form.section(s.breadth).map(|section| section.corners().to_vec()).unwrap_or_default();
+            Loft::new(stations.iter().map(|s| s.x).collect(), stations.iter().map(line).collect())
+        });
+        Ok(Fuselage { stations: stations.to_vec(), keel, breadth, loft })
+    }
+
+    /// EN54: the bottom between two stations, from the keel to the edge [m]; `None` where neither has an outline.
+    pub(super) fn lofted(&self, x: f64) -> Option<Form> {
+        let (k, _) = self.between(x);
+        let is_lofted = self.stations[k].form.is_outline() || self.stations[k + 1].form.is_outline();
+        self.loft.as_ref().filter(|_| is_lofted).map(|loft| Form::Outline(loft.at(k, x)))
     }
 
     /// The stations.

@@ -1,10 +1,13 @@
 //! Loads of the sections of a fuselage.
 
 use super::fuselage::{Form, Fuselage, FuselageError, outside};
-use crate::{EntryModel, Loads, OutOfRange};
+use crate::{EntryModel, Loads, OutOfRange, Section};
 
 /// Forms that differ by less than this share are one.
 const ALIKE: f64 = 1e-6;
+
+/// Sections between two stations of different outlines whose loads are tabled.
+const LOFTED: usize = 4;
 
 /// A section's load at a draught, per metre of length and for water of density ρ = 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -28,8 +31,8 @@ pub struct Hull {
     model: EntryModel,
     /// Loads of every form that occurs, of breadth 1.
     forms: Vec<Loads>,
-    /// Which of them each station has.
-    of_station: Vec<usize>,
+    /// Places with a form of their own, from the nose, and which form each has: the stations, and places between outlines [m].
+    places: Vec<(f64, usize)>,
 }
 
 impl Hull {
@@ -38,22 +41,23 @@ impl Hull {
     /// # Errors
     /// A section that the theory does not hold for, up to its edges.
     pub fn new(fuselage: Fuselage, model: EntryModel) -> Result<Hull, FuselageError> {
-        let mut kinds: Vec<Form> = Vec::new();
-        let (mut forms, mut of_station) = (Vec::new(), Vec::new());
+        let mut tables = Tables { model, kinds: Vec::new(), loads: Vec::new() };
+        let mut places = Vec::new();
         for (station, s) in fuselage.stations().iter().enumerate() {
-            let refused = |e: OutOfRange| FuselageError { station, why: outside(&e, None) };
-            let form = s.form.scaled(1.0 / s.breadth);
-            let known = kinds.iter().position(|kind| alike(*kind, form));
-            if known.is_none() {
-                let section = form.section(1.0).map_err(refused)?;
-                let advised = |e: OutOfRange| FuselageError { station, why: outside(&e, Some(&section)) };
-                model.covers(&section, f64::INFINITY).map_err(advised)?;
-                forms.push(Loads::new(model, &section).map_err(refused)?);
-                kinds.push(form);
+            let of_station =
+                tables.of(&s.form.scaled(1.0 / s.breadth)).map_err(|why| FuselageError { station, why })?;
+            if let Some((before, _)) = places.last().copied().filter(|(_, before)| *before != of_station) {
+                for k in 1..=LOFTED {
+                    let x: f64 = before + (s.x - before) * k as f64 / (LOFTED + 1) as f64;
+                    let Some(form) = fuselage.lofted(x) else { continue };
+                    let form = convex(&form).scaled(1.0 / fuselage.breadth(x));
+                    let of_place = tables.of(&form).map_err(|why| FuselageError { station, why: between(x, &why) })?;
+                    places.push((x, of_place));
+                }
             }
-            of_station.push(known.unwrap_or(kinds.len() - 1));
+            places.push((s.x, of_station));
         }
-        Ok(Hull { fuselage, model, forms, of_station })
+        Ok(Hull { fuselage, model, forms: tables.loads, places })
     }
 
     /// The fuselage.
@@ -68,6 +72,9 @@ impl Hull {
 
     /// The form of the station nearest to a place [m from the nose], of the breadth there.
     pub fn form(&self, x: f64) -> Form {
+        if let Some(lofted) = self.fuselage.lofted(x) {
+            return lofted;
+        }
         let (k, share) = self.fuselage.between(x);
         let nearest = &self.fuselage.stations()[if share < 0.5 { k } else { k + 1 }];
         nearest.form.scaled(self.fuselage.breadth(x) / nearest.breadth)
@@ -76,9 +83,8 @@ impl Hull {
     /// EN16: load at a place x [m from the nose] and a draught h [m]. With the breadth b and a form's table for b = 1,
     /// A = b Â(h/b) and M = b² M̂(h/b); between stations of different forms the mean by distance.
     pub fn at(&self, x: f64, draught: f64) -> SectionLoad {
-        let (k, share) = self.fuselage.between(x);
+        let (from, to, share) = self.between(x);
         let b = self.fuselage.breadth(x);
-        let [from, to] = [self.of_station[k], self.of_station[k + 1]];
         let first = self.of_form(from, b, draught);
         if from == to {
             return first;
@@ -96,12 +102,24 @@ impl Hull {
 
     /// Added mass at a place and a draught, as in [`Hull::at`] [m²].
     pub(super) fn added_mass(&self, x: f64, draught: f64) -> f64 {
-        let (k, share) = self.fuselage.between(x);
+        let (from, to, share) = self.between(x);
         let b = self.fuselage.breadth(x);
         let of = |form: usize| b * b * self.forms[form].at(draught / b).added_mass;
-        let [from, to] = [self.of_station[k], self.of_station[k + 1]];
         let first = of(from);
         if from == to { first } else { first + share * (of(to) - first) }
+    }
+
+    /// Loads of the form nearest to a place, of breadth 1.
+    pub(super) fn nearest(&self, x: f64) -> &Loads {
+        let (from, to, share) = self.between(x);
+        &self.forms[if share < 0.5 { from } else { to }]
+    }
+
+    /// Forms before and after a place, and the share of the way between them [-].
+    fn between(&self, x: f64) -> (usize, usize, f64) {
+        let after = self.places.partition_point(|(at, _)| *at <= x).clamp(1, self.places.len() - 1);
+        let ((a, from), (b, to)) = (self.places[after - 1], self.places[after]);
+        (from, to, ((x - a) / (b - a)).clamp(0.0, 1.0))
     }
 
     fn of_form(&self, form: usize, b: f64, draught: f64) -> SectionLoad {
@@ -117,10 +135,51 @@ impl Hull {
     }
 }
 
-fn alike(a: Form, b: Form) -> bool {
+/// Tables of the forms that occur.
+struct Tables {
+    model: EntryModel,
+    kinds: Vec<Form>,
+    loads: Vec<Loads>,
+}
+
+impl Tables {
+    /// Which table a form of breadth 1 has; why it has none.
+    fn of(&mut self, form: &Form) -> Result<usize, String> {
+        if let Some(known) = self.kinds.iter().position(|kind| alike(kind, form)) {
+            return Ok(known);
+        }
+        let refused = |e: OutOfRange| outside(&e, None);
+        let section = form.section(1.0).map_err(refused)?;
+        self.model.covers(&section, f64::INFINITY).map_err(|e| outside(&e, Some(&section)))?;
+        self.loads.push(Loads::new(self.model, &section).map_err(refused)?);
+        self.kinds.push(form.clone());
+        Ok(self.kinds.len() - 1)
+    }
+}
+
+/// A bottom between stations without hollows.
+fn convex(form: &Form) -> Form {
+    match form {
+        Form::Outline(points) => {
+            Section::new(points).map_or(form.clone(), |s| Form::Outline(s.convex().corners().to_vec()))
+        }
+        _ => form.clone(),
+    }
+}
+
+/// What is said of a section before a station.
+fn between(x: f64, why: &str) -> String {
+    format!("the section between it and the station before, at x = {x:.3} m: {why}")
+}
+
+fn alike(a: &Form, b: &Form) -> bool {
     match (a, b) {
         (Form::Radius(a), Form::Radius(b)) | (Form::DeadriseDeg(a), Form::DeadriseDeg(b)) => {
             (a / b - 1.0).abs() < ALIKE
+        }
+        (Form::Outline(a), Form::Outline(b)) => {
+            let close = |(a, b): (&[f64; 2], &[f64; 2])| (a[0] - b[0]).hypot(a[1] - b[1]) < ALIKE;
+            a.len() == b.len() && a.iter().zip(b).all(close)
         }
         _ => false,
     }

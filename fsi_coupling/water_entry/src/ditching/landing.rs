@@ -53,7 +53,7 @@ pub struct LandingState {
     pub wetted: Option<[f64; 2]>,
     /// The strips that are wet, and the force of each on the keel line [N]: pressure of entry, without buoyancy.
     pub strips: Vec<(Strip, f64)>,
-    /// Forces of the water on each surface, then on each nacelle's face and bottom.
+    /// Forces of the water on each surface, then on each nacelle's face and bottom, then on frames behind panels; of each strut that on the fuselage.
     pub parts: Vec<Vec<PointForce>>,
     /// Which of them have been lost up to now.
     pub lost: Vec<bool>,

@@ -1,6 +1,6 @@
 //! Motion of an aeroplane on the water, in its plane of symmetry (THEORY EN18).
 
-use super::attitude::{Attitude, FREEDOMS, MODES};
+use super::attitude::{Attitude, FREEDOMS, MODES, STRUTS};
 use super::balance::Balance;
 use super::landing::{Landing, LandingEnd, LandingResult, LandingState};
 use super::swell::Swell;
@@ -20,6 +20,9 @@ impl Landing<'_> {
             rate: [self.speed * cos, self.speed * sin, 0.0],
             ..Attitude::default()
         };
+        for (k, strut) in self.aeroplane.struts.iter().enumerate() {
+            attitude.stroke[k] = strut.hanging(self.water.gravity * self.pitch.cos());
+        }
         attitude.place[1] = -self.clearance(&attitude, &self.swell);
         attitude
     }
@@ -30,7 +33,7 @@ impl Landing<'_> {
         let keel = self.edges().into_iter().map(|x| [x, self.hull.fuselage().keel(x).height]);
         let surfaces = craft.surfaces.iter().flat_map(|surface| surface.corners());
         let nacelles = craft.nacelles.iter().flat_map(|nacelle| nacelle.keel());
-        keel.chain(surfaces).chain(nacelles).collect()
+        keel.chain(surfaces).chain(nacelles).chain(craft.struts.iter().map(|strut| strut.foot)).collect()
     }
 
     /// Height of keel and parts above the surface where it is least [m].
@@ -95,21 +98,17 @@ impl Landing<'_> {
     /// One step of the classical Runge–Kutta method; `first` is the balance at its start.
     fn advanced(&self, time: f64, now: Attitude, first: &Balance, lost: &[bool]) -> Attitude {
         let dt = self.step;
-        let slope = |after: f64, a: &Attitude| Slope::new(a, self.balance(time + after, a, lost).acceleration);
-        let k1 = Slope::new(&now, first.acceleration);
+        let slope = |after: f64, a: &Attitude| Slope::new(a, &self.balance(time + after, a, lost));
+        let k1 = Slope::new(&now, first);
         let k2 = slope(0.5 * dt, &k1.ahead(&now, 0.5 * dt));
         let k3 = slope(0.5 * dt, &k2.ahead(&now, 0.5 * dt));
         let k4 = slope(dt, &k3.ahead(&now, dt));
-        let mean = |of: fn(&Slope) -> &[f64; FREEDOMS]| {
-            let [a, b, c, d] = [&k1, &k2, &k3, &k4].map(of);
-            std::array::from_fn(|k| (a[k] + 2.0 * (b[k] + c[k]) + d[k]) / 6.0)
-        };
-        Slope { rate: mean(|k| &k.rate), acceleration: mean(|k| &k.acceleration) }.ahead(&now, dt)
+        Slope::mean([&k1, &k2, &k3, &k4]).ahead(&now, dt)
     }
 
     /// What happens at a time and an attitude with some parts lost.
     pub fn moment(&self, time: f64, attitude: Attitude, lost: &[bool]) -> LandingState {
-        let Balance { acceleration, force, lift, strips, parts } = self.balance(time, &attitude, lost);
+        let Balance { acceleration, force, lift, strips, parts, .. } = self.balance(time, &attitude, lost);
         let ends = strips.iter().map(|(s, _)| s.wet.x).fold(None, |ends: Option<[f64; 2]>, x| {
             Some(ends.map_or([x, x], |[first, last]| [first.min(x), last.max(x)]))
         });
@@ -117,18 +116,33 @@ impl Landing<'_> {
     }
 }
 
-/// Rates of place and bending, and of these rates.
+/// Number of rates: of the freedoms, then of the struts.
+const ALL: usize = FREEDOMS + STRUTS;
+
+/// Rates of place, bending and strokes, and of these rates.
 struct Slope {
-    rate: [f64; FREEDOMS],
-    acceleration: [f64; FREEDOMS],
+    rate: [f64; ALL],
+    acceleration: [f64; ALL],
 }
 
 impl Slope {
-    fn new(now: &Attitude, acceleration: [f64; FREEDOMS]) -> Slope {
-        let mut rate = [0.0; FREEDOMS];
+    fn new(now: &Attitude, balance: &Balance) -> Slope {
+        let (mut rate, mut acceleration) = ([0.0; ALL], [0.0; ALL]);
         rate[..3].copy_from_slice(&now.rate);
-        rate[3..].copy_from_slice(&now.bend_rate);
+        rate[3..FREEDOMS].copy_from_slice(&now.bend_rate);
+        rate[FREEDOMS..].copy_from_slice(&now.stroke_rate);
+        acceleration[..FREEDOMS].copy_from_slice(&balance.acceleration);
+        acceleration[FREEDOMS..].copy_from_slice(&balance.of_strokes);
         Slope { rate, acceleration }
+    }
+
+    /// The mean of the classical Runge–Kutta method.
+    fn mean([a, b, c, d]: [&Slope; 4]) -> Slope {
+        let mean = |of: fn(&Slope) -> &[f64; ALL]| {
+            let [a, b, c, d] = [a, b, c, d].map(of);
+            std::array::from_fn(|k| (a[k] + 2.0 * (b[k] + c[k]) + d[k]) / 6.0)
+        };
+        Slope { rate: mean(|k| &k.rate), acceleration: mean(|k| &k.acceleration) }
     }
 
     /// The attitude after `dt` [s] along it.
@@ -139,6 +153,8 @@ impl Slope {
             rate: std::array::from_fn(|k| now.rate[k] + dt * acceleration[k]),
             bend: std::array::from_fn::<_, MODES, _>(|k| now.bend[k] + dt * rate[3 + k]),
             bend_rate: std::array::from_fn(|k| now.bend_rate[k] + dt * acceleration[3 + k]),
+            stroke: std::array::from_fn(|k| now.stroke[k] + dt * rate[FREEDOMS + k]),
+            stroke_rate: std::array::from_fn(|k| now.stroke_rate[k] + dt * acceleration[FREEDOMS + k]),
         }
     }
 }

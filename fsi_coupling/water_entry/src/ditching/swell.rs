@@ -1,7 +1,9 @@
-//! Regular, long-crested swell on deep water, in the plane of flight (THEORY EN36).
+//! Long-crested swell on deep water, in the plane of flight: regular (THEORY EN36), or of a spectrum (EN59).
 
 use std::f64::consts::{PI, TAU};
 
+use super::irregular::{Components, Jonswap};
+use super::surface_motion::SurfaceMotion;
 use crate::waves::linear_wave::LinearWave;
 
 /// Regular, long-crested swell on deep water (THEORY EN36). The default is calm water.
@@ -17,17 +19,12 @@ pub struct Swell {
     pub along_flight: f64,
     /// Phase at x = 0, 0 at a crest [rad].
     pub phase: f64,
-}
-
-/// The water's surface at a place, and how the water there moves; forward and up.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct SurfaceMotion {
-    /// Height over still water [m].
-    pub elevation: f64,
-    /// Velocity of a plane of water, and of the surface in it [m/s].
-    pub velocity: [f64; 2],
-    /// Their accelerations [m/s²].
-    pub acceleration: [f64; 2],
+    /// Waves of a spectrum instead, of which the numbers above are significant height, peak frequency and its wave number.
+    pub components: Option<Components>,
+    /// Time since their phases were given [s].
+    pub elapsed: f64,
+    /// Place where x = 0 is in their phases [m].
+    pub origin: f64,
 }
 
 impl Swell {
@@ -39,13 +36,31 @@ impl Swell {
             angular_frequency: wave.angular_frequency,
             wave_number: wave.wave_number,
             along_flight: heading.cos(),
-            phase: 0.0,
+            ..Swell::default()
+        }
+    }
+
+    /// EN59: of a spectrum; `heading` as in [`Swell::new`]. Its `amplitude` is the significant height: few crests are higher.
+    pub fn irregular(spectrum: &Jonswap, heading: f64, gravity: f64) -> Swell {
+        let angular_frequency = TAU / spectrum.peak_period;
+        Swell {
+            amplitude: spectrum.significant_height,
+            angular_frequency,
+            wave_number: angular_frequency * angular_frequency / gravity,
+            along_flight: heading.cos(),
+            components: Some(spectrum.waves(heading.cos(), gravity)),
+            ..Swell::default()
         }
     }
 
     /// The swell a time [s] later.
     pub fn later(self, time: f64) -> Swell {
-        Swell { phase: self.phase - self.angular_frequency * time, ..self }
+        Swell { phase: self.phase - self.angular_frequency * time, elapsed: self.elapsed + time, ..self }
+    }
+
+    /// The swell of a spectrum whose place `x` [m] is now x = 0.
+    pub(super) fn seen_from(self, x: f64) -> Swell {
+        Swell { origin: self.origin + x, ..self }
     }
 
     /// Rate of the phase with x [rad/m].
@@ -71,6 +86,9 @@ impl Swell {
 
     /// Slope of the surface at x, upwards ahead [-].
     pub fn slope(&self, x: f64) -> f64 {
+        if let Some(waves) = &self.components {
+            return waves.slope(self.origin + x, self.elapsed);
+        }
         -self.amplitude * self.forward_wave_number() * (self.phase + self.forward_wave_number() * x).sin()
     }
 
@@ -88,6 +106,9 @@ impl Swell {
     pub fn water(&self, x: f64) -> SurfaceMotion {
         if self.amplitude == 0.0 {
             return SurfaceMotion::default(); // calm
+        }
+        if let Some(waves) = &self.components {
+            return waves.water(self.origin + x, self.elapsed, self.along_flight);
         }
         let (sin, cos) = (self.phase + self.forward_wave_number() * x).sin_cos();
         let forward = self.amplitude * self.angular_frequency * self.along_flight;

@@ -46,6 +46,19 @@ impl Landing<'_> {
         landing.map(|landing| landing.swell).ok_or_else(|| self.nearest_phase(phase))
     }
 
+    /// EN59: the waves of a spectrum as they are when a straight flight path first meets them.
+    pub fn swell_first_met(&self) -> Swell {
+        let start = self.start();
+        let mut swell = self.swell;
+        // each earlier contact puts the aeroplane at another height over the waves there
+        for _ in 0..8 {
+            let now = Landing { swell, ..self.clone() };
+            let Some(time) = now.earlier_contact() else { break };
+            swell = swell.later(-time).seen_from(-time * start.rate[0]);
+        }
+        swell
+    }
+
     /// The nearest phase to the given one at which a part of the aeroplane touches first [rad].
     fn nearest_phase(&self, wanted: f64) -> f64 {
         let of_origin = |k: usize| self.swell.with_phase_at(0.0, TAU * k as f64 / TRIED as f64);

@@ -100,6 +100,22 @@ pub(super) fn settle(given: &mut Value, scene_file: &str) -> Result<Option<Settl
     Ok(Some(settled))
 }
 
+/// Points around a section from a file that a key names, counter-clockwise [m]; `unit` is the key and value of its unit.
+///
+/// # Errors
+/// A file that cannot be read, or whose points are no outline: key, file, line.
+pub fn outline_of_section(
+    scene_file: &str,
+    key: &str,
+    name: &str,
+    unit: Option<(&str, &Value)>,
+) -> Result<Vec<[f64; 2]>, Problem> {
+    let unit = unit.map(|(key, given)| unit_of(given).map_err(|p| Problem::new(key, given, p.expected))).transpose()?;
+    let file = DataFile::read(scene_file, key, name, KIND)?;
+    let asked = Asked { unit, layer: None };
+    understood(&file, &asked, true).map(|(points, _)| points).map_err(|fault| file.problem(fault))
+}
+
 /// A unit of length [m].
 fn unit_of(given: &Value) -> Result<f64, Problem> {
     let expected = "a unit of length: \"m\", \"cm\", \"mm\", \"in\" or \"ft\"";
