@@ -32,9 +32,7 @@ impl Before {
             None if section.is_round() => {
                 CURVED.map(|share| share * section.wagner_draught(flow.face.keel_half_width()))
             }
-            None if section.is_blunt() => {
-                FLAT.map(|share| section.wagner_draught(share * flow.face.keel_half_width()))
-            }
+            None if section.is_blunt() => FLAT.map(|share| section.wagner_draught(share * flow.face.keel_half_width())),
             None => return Ok(Before::Similar(flow.load(), [flow.draught(), flow.speed()])),
         };
         Ok(Before::Round(Box::new(Loads::before_flow(section)), gravity, between))

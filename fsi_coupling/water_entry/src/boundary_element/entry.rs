@@ -3,8 +3,8 @@
 use super::super::entry::{Instant, SectionMotion};
 use super::super::model::{EntryModel, OutOfRange};
 use super::super::section::Section;
-use super::before::Before;
 use super::AddedKeel;
+use super::before::Before;
 use super::solution::FlowLoad;
 use super::state::EntryFlow;
 

@@ -130,7 +130,12 @@ impl EntryFlow {
 
     /// The first flow about a section on its way to a draught [m], at a downward speed [m/s]: of a wedge, at any draught; of a round bottom with a
     /// keel of an angle [deg].
-    fn first(section: &Section, draught: f64, speed: f64, AddedKeel { deg: keel_deg, first }: AddedKeel) -> Option<EntryFlow> {
+    fn first(
+        section: &Section,
+        draught: f64,
+        speed: f64,
+        AddedKeel { deg: keel_deg, first }: AddedKeel,
+    ) -> Option<EntryFlow> {
         let mut far = FAR;
         let (face, keel, draught, of_section) = match section.radius() {
             None if section.is_blunt() => {

@@ -162,7 +162,11 @@ fn results(body: &Body, theory: &Theory, bars: &ErrorBars, bandwidth: Option<f64
     let peak = |raw: Option<Extreme>, mean: Option<Extreme>, subtracted: f64| {
         let (raw, peak) = (raw?, mean?);
         let band = share.map(|share| share * (peak.value + subtracted));
-        Some(Quantity { raw: raw.value, cutoff_hz: bandwidth, ..with_verdict(of_peak, peak.value, Some(peak.time), band) })
+        Some(Quantity {
+            raw: raw.value,
+            cutoff_hz: bandwidth,
+            ..with_verdict(of_peak, peak.value, Some(peak.time), band)
+        })
     };
     let time = bandwidth.map(|bandwidth| CUTOFF / bandwidth);
     let mean = time.map_or(forces.largest(), |time| forces.largest_mean(time));
