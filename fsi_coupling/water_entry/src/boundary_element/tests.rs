@@ -62,7 +62,7 @@ fn the_bodys_work_is_energy_of_the_water() {
 fn the_flow_about_a_round_bottom_does_not_depend_on_its_keel() {
     let section = Section::arc(1.0, 1.9).expect("a section");
     let loads = |keel: f64| {
-        let mut flow = EntryFlow::first(&section, 0.1, 1.0, keel).expect("a flow");
+        let mut flow = EntryFlow::first(&section, 0.1, 1.0, AddedKeel { deg: keel, first: 0.8 }).expect("a flow");
         let mut loads = Vec::new();
         while flow.draught() < 0.1 {
             let draught = flow.draught();
@@ -71,7 +71,7 @@ fn the_flow_about_a_round_bottom_does_not_depend_on_its_keel() {
         }
         loads
     };
-    let (flat, steep) = (loads(12.5), loads(KEEL_DEG));
+    let (flat, steep) = (loads(12.5), loads(15.0));
     for [draught, force, mass] in steep.into_iter().filter(|load| load[0] > 0.04) {
         let Some([a, b]) = flat.windows(2).map(|w| [w[0], w[1]]).find(|[_, b]| b[0] > draught) else { break };
         let share = (draught - a[0]) / (b[0] - a[0]);
