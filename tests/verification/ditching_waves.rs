@@ -231,7 +231,7 @@ fn the_first_contact_is_at_the_phase_asked_for() {
             let landed = mercure_on(&sea(0.6, 90.0, heading, touchdown), &sampled);
             let sea = landed.summary.sea.expect("a sea");
             let off = |is: f64| (is - phase + 180.0).rem_euclid(360.0) - 180.0;
-            assert!(off(sea.touchdown_phase_deg).abs() < 1.0, "{heading}, {touchdown}: {sea:?}");
+            assert!(off(sea.touchdown_phase_deg.expect("a phase")).abs() < 1.0, "{heading}, {touchdown}: {sea:?}");
             assert!(sea.closing_speed_m_per_s > 0.0);
             assert!((sea.elevation_m - 0.3 * phase.to_radians().cos()).abs() < 6e-3, "{sea:?}");
             let wet = |m: &&LandingState| !m.strips.is_empty() || m.parts.iter().any(|p| !p.is_empty());

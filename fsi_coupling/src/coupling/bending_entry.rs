@@ -27,6 +27,16 @@ pub enum BendingEntryError {
     /// The structure.
     #[error(transparent)]
     Body(#[from] BodyError),
+    /// The body's bottom is not where the flow's is.
+    #[error("no bottom of the body at a draught of {draught} m: its {points} boundary particles begin at {first:?} m")]
+    NoBottom {
+        /// Draught of the flow [m].
+        draught: f64,
+        /// Number of boundary particles.
+        points: usize,
+        /// The first of them [m].
+        first: Option<[f64; 2]>,
+    },
     /// Accelerations and load did not come to fit each other.
     #[error("accelerations and load of the water do not fit after {MOST_ITERATIONS} iterations, at t = {0} s")]
     NotConverged(f64),
@@ -74,13 +84,13 @@ impl BendingEntry {
     /// ([`EntryFlow::before_bending`]): at its draught and speed, in water of a density [kg/m³].
     ///
     /// # Errors
-    /// A body that cannot be sampled.
+    /// A body that cannot be sampled, or whose bottom is elsewhere.
     pub fn new(
         mut body: Box<dyn Body>,
         section: &Section,
         flow: EntryFlow,
         density: f64,
-    ) -> Result<BendingEntry, BodyError> {
+    ) -> Result<BendingEntry, BendingEntryError> {
         let half_breadth = flow.bottom_half_breadth();
         let points = body.sample(&WallRows::filled(half_breadth / PARTICLES, 1))?;
         let motion = body.motion().unwrap_or_default();
@@ -93,6 +103,10 @@ impl BendingEntry {
         };
         let on_bottom = |(k, p): (usize, &sph_core::WallPoint)| Some((k, is_on_bottom(p.at, p.normal, p.depth)?));
         let mut particles: Vec<(usize, f64)> = points.iter().enumerate().filter_map(on_bottom).collect();
+        if particles.len() < 3 {
+            let first = points.first().map(|point| point.at);
+            return Err(BendingEntryError::NoBottom { draught: flow.draught(), points: points.len(), first });
+        }
         particles.sort_by(|a, b| a.1.total_cmp(&b.1));
         let along: Vec<f64> = particles.iter().map(|particle| particle.1).collect();
         let between = along.windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));
