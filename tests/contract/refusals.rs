@@ -119,7 +119,7 @@ fn a_bad_value_of_a_new_key_is_refused_with_line_key_given_and_expected() {
         (rule("takeoff_speed = 30\nstep_deadrise_deg = 2"), 16, &["`rule.step_deadrise_deg` = 2", "expected a number from 4 to 60"]),
         (rule("landing_speed = 30"), 14, &["`rule.landing_mass` is missing", "[kg]"]),
         (rule("landing_mass = 2700"), 14, &["`rule.landing_speed` is missing", "V_S0"]),
-        (rule("takeoff_mass = 2700"), 14, &["`rule.takeoff_speed` is missing", "V_S1"]),
+        (rule("takeoff_mass = 2700"), 15, &["`rule.takeoff_mass` = 2700", "no effect here, only with rule.takeoff_speed"]),
         (rule("limit_load_factor = 3"), 14, &["`rule.rotorcraft_mass` is missing", "[kg]"]),
         (rule("rotorcraft_mass = 3000"), 14, &["`rule.limit_load_factor` is missing", "[-]"]),
         (rule("limit_load_factor = 3\nrotorcraft_mass = 3000\nfloats = 0"), 17, &["`rule.floats` = 0", "expected a whole number of at least 1"]),

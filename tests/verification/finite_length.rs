@@ -136,7 +136,10 @@ fn the_loads_of_the_rules_stand_beside_those_of_the_run() {
     assert!((b / a / (5.0_f64 / 4.0).powi(2) - 1.0).abs() < 1e-6, "{a} {b}");
     // a flat bottom has no number, and the reason
     let faces = "shape = \"wedge\"\ndeadrise_deg = 25.0\nbreadth = 1.0\nside_height = 0.2\n";
-    let round = WEDGE.replace(faces, "shape = \"arc\"\nradius = 1.0\nbreadth = 1.0\nside_height = 0.2\n") + rule;
+    let round = WEDGE
+        .replace("\"similarity\"", "\"boundary_element\"")
+        .replace(faces, "shape = \"arc\"\nradius = 1.0\nbreadth = 1.0\nside_height = 0.2\n")
+        + rule;
     let scene = load_text("arc.toml", &round, &[]).expect("a scene").scene;
     let round = run(&scene, &RunOptions::default()).expect("a run").summary.rule_loads;
     let keel = of(&round, "25.533(b)(1)");

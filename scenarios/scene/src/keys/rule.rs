@@ -17,7 +17,7 @@ pub struct Rule {
     pub takeoff_speed: Option<f64>,
     /// Design take-off weight of the seaplane, as a mass, for the load factor of 25.531 [kg]. absent: it is not stated.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schemars(extend("exclusiveMinimum" = 0))]
+    #[schemars(extend("exclusiveMinimum" = 0, "x-when" = "rule.takeoff_speed"))]
     pub takeoff_mass: Option<f64>,
     /// Stalling speed V_S0 with landing flaps, without slipstream, for 25.527 and the distributed pressure of 25.533(c) [m/s]. absent: these are
     /// not stated.
@@ -69,7 +69,6 @@ impl Rule {
         };
         pair(self.landing_speed, self.landing_mass, "rule.landing_mass", "the design landing weight, as a mass [kg]")?;
         pair(self.landing_mass, self.landing_speed, "rule.landing_speed", "the stalling speed V_S0 [m/s]")?;
-        pair(self.takeoff_mass, self.takeoff_speed, "rule.takeoff_speed", "the stalling speed V_S1 [m/s]")?;
         pair(self.limit_load_factor, self.rotorcraft_mass, "rule.rotorcraft_mass", "the rotorcraft's mass [kg]")?;
         pair(self.rotorcraft_mass, self.limit_load_factor, "rule.limit_load_factor", "its limit load factor [-]")?;
         let some = [self.takeoff_speed, self.landing_speed, self.limit_load_factor].iter().any(Option::is_some);
