@@ -127,8 +127,8 @@ fn a_frame_with_stiff_panels_falls_as_a_rigid_wedge() {
     }
 }
 
-/// Thin plates bend by more than their thickness, and light ones weigh a hundredth of the water that they move: accelerations and load fit within a few
-/// iterations, and the work of the water is what the body lost and the plates hold.
+/// Thin plates bend by more than their thickness, and light ones have a hundredth of the mass of the water that they move: accelerations and load
+/// fit within a few iterations, and the work of the water is what the body lost and the plates hold.
 #[test]
 fn soft_and_light_panels_keep_the_balance_of_energy() {
     let light = Material { youngs_modulus: 7e9, poissons_ratio: 0.33, density: 100.0 };

@@ -119,14 +119,14 @@ fn the_loads_of_the_rules_stand_beside_those_of_the_run() {
         run(&scene, &RunOptions::default()).expect("a run").summary.rule_loads
     };
     let (slow, fast) = (loads("-4.0"), loads("-5.0"));
-    let of = |loads: &[run::stated::RuleLoad], paragraph: &str| {
+    let of = |loads: &[run::stated_numbers::RuleLoad], paragraph: &str| {
         loads.iter().find(|load| load.paragraph == paragraph).cloned().unwrap_or_else(|| panic!("{paragraph}"))
     };
     // 0.00213·0.75·60²/tan 25° = 12.333 psi; 0.012·55²/(tan^⅔ 25°·6000^⅓) = 3.3221; 0.078·0.012·0.75·55²/tan 25° = 4.5540 psi
     let by_hand = [
-        ("25.533(b)(1)", 12.33306 * 6894.757_293),
+        ("25.533(b)(1)", 12.33306 * 6_894.757_293),
         ("25.527(a)(1)", 3.322_063),
-        ("25.533(c)(1)", 4.553_968 * 6894.757_293),
+        ("25.533(c)(1)", 4.553_968 * 6_894.757_293),
     ];
     for (paragraph, value) in by_hand {
         let [a, b] = [&slow, &fast].map(|loads| of(loads, paragraph).value.expect("a number"));

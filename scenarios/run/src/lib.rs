@@ -44,7 +44,8 @@ mod recorder;
 mod recorder_state;
 pub mod results;
 mod resume;
-pub mod stated;
+mod stated;
+pub mod stated_numbers;
 pub mod summary;
 
 pub use driver::run;

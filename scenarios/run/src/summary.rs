@@ -17,7 +17,7 @@ use crate::compare::Comparison;
 use crate::error_bar::ErrorBars;
 use crate::observers::{GaugeResult, Rest, RuleResult, SimilarityResult, Water, Waves};
 use crate::results::FilteredAcceleration;
-use crate::stated::{FiniteLength, RuleLoad};
+use crate::stated_numbers::{FiniteLength, RuleLoad};
 
 /// Numbers of particles.
 #[derive(Clone, Copy, Debug, Default, Serialize)]

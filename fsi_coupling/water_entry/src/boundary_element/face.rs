@@ -68,7 +68,7 @@ pub(super) struct Place {
 impl Face {
     /// A straight face at the angle β to the water, `length` [m] long.
     pub fn straight(beta: f64, length: f64) -> Face {
-        Face::of(c64::new(beta.cos(), beta.sin()), 0.0, length)
+        Face::of(c64::ZERO, c64::new(beta.cos(), beta.sin()), length)
     }
 
     /// An arc of a circle, `end` [rad] long, whose lowest part is replaced by its tangents at the angle `keel` [rad].
@@ -87,13 +87,7 @@ impl Face {
         let to = Rounded::Arc { area: 0.5 * radius * radius * (keel.tan() - keel), radius };
         let least = radius * keel.sin();
         let added = Added { to, least, from: least };
-        Face {
-            pieces: vec![tangent.pieces[0], arc],
-            draught: 0.0,
-            left_at: f64::INFINITY,
-            added: Some(added),
-            bent: None,
-        }
+        Face::rigid(vec![tangent.pieces[0], arc], Some(added))
     }
 
     /// A bottom with curves, whose knuckles are rounded (THEORY EN39), as far as the flow follows it; the lowest part of a blunt one is replaced by
@@ -114,7 +108,7 @@ impl Face {
             line.iter_mut().for_each(|piece| piece.from -= lowest);
             added = Some(Added::to(section, touched.re, keel));
         }
-        Face { pieces: rounded(&placed(line)), draught: 0.0, left_at: f64::INFINITY, added, bent: None }
+        Face::rigid(rounded(&placed(line)), added)
     }
 
     /// Half width of the keel that was added [m]; 0 without one.
@@ -126,25 +120,16 @@ impl Face {
     pub fn polygon(corners: &[[f64; 2]]) -> Face {
         let points: Vec<c64> = corners.iter().map(|[x, y]| c64::new(x - corners[0][0], y - corners[0][1])).collect();
         let line = points.windows(2).map(|ends| Piece::straight(ends[0], ends[1])).collect();
-        Face { pieces: rounded(&placed(line)), draught: 0.0, left_at: f64::INFINITY, added: None, bent: None }
+        Face::rigid(rounded(&placed(line)), None)
     }
 
-    fn of(direction: c64, curvature: f64, length: f64) -> Face {
-        Face {
-            pieces: vec![Piece {
-                at: 0.0,
-                from: c64::ZERO,
-                direction,
-                angle: direction.arg(),
-                curvature,
-                length,
-                round: false,
-            }],
-            draught: 0.0,
-            left_at: f64::INFINITY,
-            added: None,
-            bent: None,
-        }
+    fn of(from: c64, direction: c64, length: f64) -> Face {
+        let piece = Piece { at: 0.0, from, direction, angle: direction.arg(), curvature: 0.0, length, round: false };
+        Face::rigid(vec![piece], None)
+    }
+
+    fn rigid(pieces: Vec<Piece>, added: Option<Added>) -> Face {
+        Face { pieces, draught: 0.0, left_at: f64::INFINITY, added, bent: None }
     }
 
     /// The same bottom whose flow leaves it at a distance from the keel [m], at its chine at the latest.

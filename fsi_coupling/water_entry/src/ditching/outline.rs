@@ -64,9 +64,8 @@ impl HalfSection {
 
     /// Breadth at which the water leaves the bottom where none is given [m]: at the widest place, or before it where a face gets steeper than 45°.
     pub fn breadth(&self) -> f64 {
-        let bottom = rising(&self.points);
+        let refined = bottom(&self.points);
         let steep = EDGE_DEG.to_radians().tan() * (1.0 + 1e-6);
-        let refined = crate::Section::new(&bottom).map(|section| section.corners().to_vec()).unwrap_or(bottom);
         let end = refined.windows(2).find(|w| w[1][1] - w[0][1] > steep * (w[1][0] - w[0][0]));
         2.0 * end.map_or(refined[refined.len() - 1], |w| w[0])[0]
     }
@@ -78,9 +77,15 @@ pub(super) fn rising(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     points[..=grows].to_vec()
 }
 
-/// The part of a half section up to a half breadth [m]; `None` where it is narrower.
-pub(super) fn up_to(points: &[[f64; 2]], half_breadth: f64) -> Option<Vec<[f64; 2]>> {
+/// The same with the arcs for which its points stand.
+fn bottom(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let bottom = rising(points);
+    crate::Section::new(&bottom).map(|section| section.corners().to_vec()).unwrap_or(bottom)
+}
+
+/// The part of a half section up to a half breadth [m], on the arcs for which its points stand; `None` where it is narrower.
+pub(super) fn up_to(points: &[[f64; 2]], half_breadth: f64) -> Option<Vec<[f64; 2]>> {
+    let bottom = bottom(points);
     let widest = bottom[bottom.len() - 1][0];
     if half_breadth > widest * (1.0 + 1e-6) {
         return None;

@@ -18,8 +18,6 @@ pub struct GirthPressure {
     pub girth: Vec<f64>,
     /// Integral of the pressure along the girth up to there [N/m], shape (n).
     pub integral: Vec<f64>,
-    /// Largest pressure [Pa].
-    pub largest: f64,
 }
 
 /// A part of the bottom of each side.
@@ -77,17 +75,17 @@ impl GirthPressure {
             true => (1.0, (wanted - by_theory) / of_root),
             false => (wanted / by_theory, 0.0),
         };
-        let (mut girth, mut integral, mut largest) = (vec![0.0], vec![0.0], 0.0_f64);
+        let (mut girth, mut integral) = (vec![0.0], vec![0.0]);
         let (mut s, mut sum) = (0.0, 0.0);
         for (k, [pressure, width, root]) in middles.iter().enumerate() {
             let slope = loads.section().slope(c * angle(k as f64 + 0.5).sin());
             let length = width * (1.0 + slope * slope).sqrt();
             let pressure = factor * pressure + added * root;
-            (s, sum, largest) = (s + length, sum + pressure * length, largest.max(pressure));
+            (s, sum) = (s + length, sum + pressure * length);
             girth.push(s);
             integral.push(sum);
         }
-        Some(GirthPressure { girth, integral, largest })
+        Some(GirthPressure { girth, integral })
     }
 
     /// Integral of the pressure over a part of the girth, from and to distances from the keel [N/m].
@@ -168,8 +166,6 @@ pub struct PressureMap {
     pub shares: usize,
     /// Largest mean pressure over each cell [Pa] and its time [s], shape (places − 1, shares).
     pub mean: Vec<Vec<[f64; 2]>>,
-    /// Largest pressure at any point of the cells of a place [Pa] and its time [s], shape (places − 1).
-    pub largest: Vec<[f64; 2]>,
 }
 
 impl PressureMap {
@@ -180,7 +176,6 @@ impl PressureMap {
             places: (0..=count).map(|k| from + (to - from) * k as f64 / count as f64).collect(),
             shares,
             mean: vec![vec![[0.0; 2]; shares]; count],
-            largest: vec![[0.0; 2]; count],
         }
     }
 
@@ -206,9 +201,6 @@ impl PressureMap {
                 }
                 let share = length / (self.places[cell + 1] - self.places[cell]);
                 sums[cell].iter_mut().zip(&of_cells).for_each(|(sum, mean)| *sum += share * mean);
-                if pressure.largest > self.largest[cell][0] {
-                    self.largest[cell] = [pressure.largest, now.time];
-                }
             }
         }
         for (cells, sums) in self.mean.iter_mut().zip(&sums) {

@@ -5,7 +5,7 @@
 
 use std::collections::BTreeMap;
 
-use run::stated::{FiniteLength, RuleLoad};
+use run::stated_numbers::{FiniteLength, RuleLoad};
 use scene::vocabulary::{Doubts, Results, Status};
 use serde::Deserialize;
 

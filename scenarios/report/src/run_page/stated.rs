@@ -1,6 +1,6 @@
 //! Sections of numbers that stand beside the results: loads of the rules, and a section between free ends.
 
-use run::stated::{FiniteLength, RuleLoad, Share};
+use run::stated_numbers::{FiniteLength, RuleLoad, Share};
 
 use super::quantity::{digits, with_unit};
 use super::record::Record;

@@ -70,7 +70,10 @@ impl BendingFlow {
         BendingFlow::check(scene, section)?;
         let (density, gravity) = (scene.water().density, -scene.gravity[1]);
         let wrong = |error: &dyn std::fmt::Display| refuse(error.to_string());
-        let whole = of_scene(scene, body, &rows(scene)).map_err(|error| wrong(&error))?;
+        // a scene of particles starts before the contact
+        let mut at_zero = scene.clone();
+        at_zero.time.start = 0.0;
+        let whole = of_scene(&at_zero, body, &rows(scene)).map_err(|error| wrong(&error))?;
         let columns = columns_of(&*whole).len();
         // rigid, by the modified Logvinovich model, until the flow begins
         let before = Before::of(scene, body, section, &*whole)?;
@@ -79,7 +82,7 @@ impl BendingFlow {
         let mut lowered = body.clone();
         lowered.position[1] -= flow.draught() - body.draught();
         lowered.velocity[1] = -speed;
-        let built = of_scene(scene, &lowered, &rows(scene)).map_err(|error| wrong(&error))?;
+        let built = of_scene(&at_zero, &lowered, &rows(scene)).map_err(|error| wrong(&error))?;
         let mut entry = BendingEntry::new(built, section, flow, density).map_err(|error| wrong(&error))?;
         let mut found = BendingFlow {
             steps: before.instants.iter().map(|now| Step::rigid(now, columns)).collect(),
@@ -248,6 +251,12 @@ impl Before {
         let mix = |a: f64, b: f64| a + share * (b - a);
         Ok(Before { instants, start: mix(a.time, b.time), draught: begin, speed: mix(a.speed, b.speed) })
     }
+}
+
+/// Times from 0 to an `end`, `every` [s].
+pub(super) fn times_every(every: f64, end: f64) -> Vec<f64> {
+    let rows = (end / every - 1e-9).ceil() as usize;
+    (0..=rows).map(|k| (k as f64 * every).min(end)).collect()
 }
 
 /// The last of ordered items whose time is not after `time` and that has one after it, and how far it is from there to the next [-].

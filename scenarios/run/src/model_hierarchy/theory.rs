@@ -8,7 +8,7 @@ use water_entry::{
     Entry, EntryModel, FlowEntry, FlowHistory, Instant, Loads, OutOfRange, RolledInstant, Section, SectionMotion,
 };
 
-use super::bending_flow::BendingFlow;
+use super::bending_flow::{BendingFlow, times_every};
 use super::elastic_wedge::Faces;
 use super::rolled;
 use crate::observers::body_values;
@@ -361,11 +361,6 @@ fn refuse(what: &str) -> OutOfRange {
 /// Times of the rows of the series [s].
 fn sample_times(scene: &Scene) -> Vec<f64> {
     times_every(scene.time.sample_every, scene.time.end)
-}
-
-fn times_every(every: f64, end: f64) -> Vec<f64> {
-    let rows = (end / every - 1e-9).ceil() as usize;
-    (0..=rows).map(|k| (k as f64 * every).min(end)).collect()
 }
 
 /// The body of a scene that is nothing but a symmetric section, for boundary elements a rolled wedge too, going straight down into still water.
