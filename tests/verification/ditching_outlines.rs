@@ -58,6 +58,28 @@ fn outlines_of_arcs_land_as_the_arcs() {
     assert!((peak(&landed(&alternating)) / peak(&arcs) - 1.0).abs() < 0.01);
 }
 
+/// Ovoids whose proportions change from station to station, a wedge among them: every section between them is in the range of the theories.
+#[test]
+fn ovoids_of_changing_proportions_are_lofted() {
+    let ovoid = |k: usize| {
+        let wide = 1.0 + 0.03 * k as f64;
+        let points: Vec<[f64; 2]> = circle(1.4, 72, 2.0 * PI).into_iter().map(|[x, z]| [wide * x, z]).collect();
+        HalfSection::of_outline(&points).expect("a section")
+    };
+    for model in [EntryModel::Wagner, EntryModel::Mlm] {
+        let mut stations: Vec<_> =
+            (0..5).map(|k| station(3.0 * k as f64, 0.0, ovoid(k).breadth(), Form::Outline(ovoid(k).points))).collect();
+        stations.push(station(16.0, 0.1, 1.9, Form::DeadriseDeg(20.0)));
+        let hull = Hull::new(Fuselage::new(&stations).expect("a fuselage"), model).expect("in range");
+        let force = |x: f64| hull.at(x, 0.08).slam;
+        for k in 0..4 {
+            let x = 3.0 * f64::from(k);
+            let (between, mean) = (force(x + 1.5), 0.5 * (force(x) + force(x + 3.0)));
+            assert!((between / mean - 1.0).abs() < 0.03, "{model:?} at {x}: {between}, {mean}");
+        }
+    }
+}
+
 /// A wedge whose chines are dry, at constant speed: over shares of the girth the pressure of EN5 integrates to
 /// ρ V² [ċ/V arcsin(y/c) − ½ cos²β c artanh(y/c) …] / cos β, here by a fine sum of the formula itself over the girth of the windows.
 #[test]

@@ -45,13 +45,14 @@ impl Hull {
         let mut places = Vec::new();
         for (station, s) in fuselage.stations().iter().enumerate() {
             let of_station =
-                tables.of(&s.form.scaled(1.0 / s.breadth)).map_err(|why| FuselageError { station, why })?;
+                tables.of(&s.form.scaled(1.0 / s.breadth), false).map_err(|why| FuselageError { station, why })?;
             if let Some((before, _)) = places.last().copied().filter(|(_, before)| *before != of_station) {
                 for k in 1..=LOFTED {
                     let x: f64 = before + (s.x - before) * k as f64 / (LOFTED + 1) as f64;
                     let Some(form) = fuselage.lofted(x) else { continue };
-                    let form = convex(&form).scaled(1.0 / fuselage.breadth(x));
-                    let of_place = tables.of(&form).map_err(|why| FuselageError { station, why: between(x, &why) })?;
+                    let form = form.scaled(1.0 / fuselage.breadth(x));
+                    let refused = |why: String| FuselageError { station, why: between(x, &why) };
+                    let of_place = tables.of(&form, true).map_err(refused)?;
                     places.push((x, of_place));
                 }
             }
@@ -143,27 +144,21 @@ struct Tables {
 }
 
 impl Tables {
-    /// Which table a form of breadth 1 has; why it has none.
-    fn of(&mut self, form: &Form) -> Result<usize, String> {
+    /// Which table a form of breadth 1 has; why it has none. One between stations is taken without its hollows, and its keel may be level.
+    fn of(&mut self, form: &Form, is_lofted: bool) -> Result<usize, String> {
         if let Some(known) = self.kinds.iter().position(|kind| alike(kind, form)) {
             return Ok(known);
         }
         let refused = |e: OutOfRange| outside(&e, None);
-        let section = form.section(1.0).map_err(refused)?;
+        let section = match form {
+            Form::Outline(points) if is_lofted => Section::new(points).map(|s| s.convex().with_round_keel()),
+            form => form.section(1.0),
+        };
+        let section = section.map_err(refused)?;
         self.model.covers(&section, f64::INFINITY).map_err(|e| outside(&e, Some(&section)))?;
         self.loads.push(Loads::new(self.model, &section).map_err(refused)?);
         self.kinds.push(form.clone());
         Ok(self.kinds.len() - 1)
-    }
-}
-
-/// A bottom between stations without hollows.
-fn convex(form: &Form) -> Form {
-    match form {
-        Form::Outline(points) => {
-            Section::new(points).map_or(form.clone(), |s| Form::Outline(s.convex().corners().to_vec()))
-        }
-        _ => form.clone(),
     }
 }
 

@@ -36,6 +36,8 @@ pub struct Section {
     curve: Option<Vec<Piece>>,
     /// The deepest place below the convex hull, [distance from the keel's plane, depth] [m].
     hollow: Option<[f64; 2]>,
+    /// Do the corners next to the keel stand for a round one?
+    round_keel: bool,
 }
 
 impl Section {
@@ -58,7 +60,15 @@ impl Section {
         if slopes[0] < 0.0 {
             return Err(OutOfRange::not_a_section("a bottom that falls next to its keel"));
         }
-        Ok(Section { areas: areas_of(&corners), corners, slopes, radius: None, curve: None, hollow: None })
+        Ok(Section {
+            areas: areas_of(&corners),
+            corners,
+            slopes,
+            radius: None,
+            curve: None,
+            hollow: None,
+            round_keel: false,
+        })
     }
 
     /// A wedge of the given deadrise [deg] and breadth [m].
@@ -136,7 +146,12 @@ impl Section {
     pub fn convex(&self) -> Section {
         let corners = hull_of(&self.corners);
         let (slopes, areas) = (slopes_of(&corners), areas_of(&corners));
-        Section { slopes, areas, corners, radius: self.radius, curve: None, hollow: None }
+        Section { slopes, areas, corners, radius: self.radius, curve: None, hollow: None, round_keel: self.round_keel }
+    }
+
+    /// The same with corners next to the keel that stand for a round one: a section between two, one of them with such a keel.
+    pub(super) fn with_round_keel(self) -> Section {
+        Section { round_keel: true, ..self }
     }
 
     /// Corners from the keel to the chine [m], shape (n, 2).
@@ -166,7 +181,7 @@ impl Section {
     /// Is the bottom round at its keel?
     pub fn is_round(&self) -> bool {
         let is_level = |curve: &Vec<Piece>| curve[0].round && curve[0].angle.abs() < LEVEL;
-        self.radius.is_some() || self.curve.as_ref().is_some_and(is_level)
+        self.round_keel || self.radius.is_some() || self.curve.as_ref().is_some_and(is_level)
     }
 
     /// Half width of a flat keel [m]; `None` of a keeled or a round bottom.
@@ -192,7 +207,7 @@ impl Section {
         let corners = std::iter::once(touched).chain(beyond.copied()).map(|[x, y]| [x, y - lowest]);
         let corners: Vec<[f64; 2]> = std::iter::once([0.0, 0.0]).chain(corners).collect();
         let (slopes, areas) = (slopes_of(&corners), areas_of(&corners));
-        Section { corners, slopes, areas, radius: None, curve: None, hollow: None }
+        Section { corners, slopes, areas, radius: None, curve: None, hollow: None, round_keel: false }
     }
 
     /// The curve for which corners stand, with its straight faces and knuckles; `None` of a bottom of straight faces, and of an arc.
