@@ -3,7 +3,6 @@
 use super::super::entry::{Instant, SectionMotion};
 use super::super::model::{EntryModel, OutOfRange};
 use super::super::section::Section;
-use super::AddedKeel;
 use super::before::Before;
 use super::solution::FlowLoad;
 use super::state::EntryFlow;
@@ -31,6 +30,15 @@ pub(super) const STOPPED: f64 = 1e-3;
 const NEARLY_STOPPED: f64 = 0.05;
 /// Depth of water in a side that counts as contact, over the half breadth [-].
 const SIDE_DEPTH: f64 = 2e-3;
+
+/// A keel that is added to a blunt bottom.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct AddedKeel {
+    /// Its angle [deg].
+    pub deg: f64,
+    /// Half width of the first flow, over that of the keel [-].
+    pub first: f64,
+}
 
 /// A section on its way into still water.
 #[derive(Clone, Copy, Debug)]

@@ -35,7 +35,7 @@ pub use solution::FlowLoad;
 pub use state::EntryFlow;
 
 use elements::{Sizes, arc_length};
-use entry::{BEGIN, LATEST, keels};
+use entry::{AddedKeel, BEGIN, LATEST, keels};
 use face::Face;
 use lower_side::LowerSide;
 use solution::{Solution, Solved, SymmetricSolution};
@@ -58,15 +58,6 @@ const DETACHED: f64 = 4.0;
 
 /// Depth of a node in the bottom from which that is wet again, over the length of its element.
 const INSIDE: f64 = 0.05;
-
-/// A keel that is added to a blunt bottom.
-#[derive(Clone, Copy, Debug)]
-struct AddedKeel {
-    /// Its angle [deg].
-    deg: f64,
-    /// Half width of the first flow, over that of the keel [-].
-    first: f64,
-}
 
 /// The flow cannot be followed further.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
