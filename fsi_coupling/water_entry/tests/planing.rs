@@ -221,6 +221,7 @@ fn prism_lift(deadrise: f64, trim: f64, length: f64, finite_length: bool) -> f64
     };
     let centre = [6.0, 0.0];
     let aeroplane = Aeroplane {
+        struts: Vec::new(),
         mass: 1e12,
         inertia: 1e14,
         centre,
