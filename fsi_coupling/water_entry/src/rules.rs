@@ -246,7 +246,7 @@ mod tests {
     #[test]
     fn the_same_factor_in_kilograms_has_the_constant_0_00922() -> Result<(), OutsideRule> {
         // C1 for a weight in kilograms: 0.012 (0.45359)^(1/3)
-        let kilograms: f64 = 2721.554_22;
+        let kilograms: f64 = 2_721.554_22;
         let n = 0.009_220 * 55.0 * 55.0 / (25.0_f64.to_radians().tan().powf(2.0 / 3.0) * kilograms.cbrt());
         assert!((SEAPLANE.step_load_factor()? / n - 1.0).abs() < 1e-4, "{n}");
         Ok(())
@@ -265,7 +265,7 @@ mod tests {
     #[test]
     fn pressures_are_those_of_psi_and_knots() -> Result<(), OutsideRule> {
         // 0.00213·0.75·60²/tan 25° = 12.333 psi; 0.0016: 9.264 psi; 0.078·0.012·55²/tan 25° = 6.072 psi
-        let psi = |pascal: f64| pascal / 6894.757_293_168;
+        let psi = |pascal: f64| pascal / 6_894.757_293_168;
         assert!((psi(keel_pressure(60.0 * KNOT, 25.0, 0.75)?) - 12.333).abs() < 1e-3);
         assert!((psi(flared_chine_pressure(60.0 * KNOT, 25.0, 0.75)?) - 9.264).abs() < 1e-3);
         assert!((psi(SEAPLANE.distributed_pressure(25.0, 1.0)?) - 6.072).abs() < 1e-3);
