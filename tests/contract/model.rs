@@ -56,6 +56,8 @@ fn auto_takes_the_cheapest_model_that_is_right() {
     assert!(model == "wagner" && why.contains("elastic_wedge"), "{why}");
     let (model, why) = chosen(&place, "wedge25", &["want=motion", "within=0.04"]);
     assert!(model == "mlm" && why.contains("wedge25"), "{why}");
+    let (model, why) = chosen(&place, "flexible_wedge", &["want=strain", "within=0.15"]);
+    assert!(model == "boundary_element" && why.contains("wedges with panels"), "{why}");
     // behind wet chines von Karman's force grows on
     let past = ["body.deadrise_deg=45", "body.breadth=2.01", "want=peak_force", "within=0.1"];
     let (model, why) = chosen(&place, "wedge_constant", &past);
@@ -193,8 +195,9 @@ fn a_model_out_of_its_range_is_refused() {
         ("fuselage_section", &["model=similarity"], &["a curved or bent bottom", "\"boundary_element\""]),
         ("cylinder_entry", &["model=boundary_element"], &["a body that is under water", "\"wcsph\""]),
         ("dam_break", &["model=mlm"], &["without a body"]),
-        ("elastic_wedge", &["model=mlm"], &["panels that bend", "\"wcsph\""]),
-        ("elastic_wedge", &["model=wagner", "time.end=0.003"], &["wet chines", "\"wcsph\""]),
+        ("elastic_wedge", &["model=mlm"], &["panels that bend", "\"boundary_element\""]),
+        ("elastic_wedge", &["model=wagner", "time.end=0.003"], &["wet chines", "\"boundary_element\""]),
+        ("fuselage_flexible", &["model=boundary_element"], &["without a keel", "\"wcsph\""]),
         ("wedge_rolled", &["model=wagner"], &["tilted", "\"boundary_element\""]),
         ("wedge_constant", &["model=mlm", "tank.depth=8.0"], &["four wetted half widths", "\"wcsph\""]),
         ("wedge", &["model=mlm", "solver=incompressible"], &["`solver`", "\"mlm\""]),

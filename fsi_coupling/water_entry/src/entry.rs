@@ -61,6 +61,21 @@ pub struct Instant {
     pub wetted: f64,
 }
 
+impl Instant {
+    /// A share of the way from one moment to another [-], at a time [s].
+    pub fn between(a: &Instant, b: &Instant, share: f64, time: f64) -> Instant {
+        let mix = |a: f64, b: f64| a + share * (b - a);
+        Instant {
+            time,
+            draught: mix(a.draught, b.draught),
+            speed: mix(a.speed, b.speed),
+            rate: mix(a.rate, b.rate),
+            force: mix(a.force, b.force),
+            wetted: mix(a.wetted, b.wetted),
+        }
+    }
+}
+
 /// Least number of steps of the integration.
 const STEPS: f64 = 400.0;
 

@@ -319,16 +319,7 @@ impl FlowHistory {
     /// The section at a time [s], linear between steps.
     fn at(&self, time: f64) -> Instant {
         let (k, share) = self.between(time);
-        let [a, b] = [&self.steps[k].now, &self.steps[k + 1].now];
-        let mix = |a: f64, b: f64| a + share * (b - a);
-        Instant {
-            time,
-            draught: mix(a.draught, b.draught),
-            speed: mix(a.speed, b.speed),
-            rate: mix(a.rate, b.rate),
-            force: mix(a.force, b.force),
-            wetted: mix(a.wetted, b.wetted),
-        }
+        Instant::between(&self.steps[k].now, &self.steps[k + 1].now, share, time)
     }
 
     /// Pressure [Pa] on the face at the distance `x` from the plane of symmetry [m], at a time [s]; linear between steps, at the same share of

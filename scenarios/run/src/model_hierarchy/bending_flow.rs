@@ -24,6 +24,10 @@ pub(super) struct BendingFlow {
     steps: Vec<Step>,
     /// In each step, at their times: mean upward force [N/m]; pressure on the bottom.
     forces: Vec<[f64; 2]>,
+    /// Before the flow begins; density of the water [kg/m³] and gravity [m/s²].
+    loads: Loads,
+    density: f64,
+    gravity: f64,
     pressures: Vec<BottomPressure>,
     /// Extremes of its panels over all steps.
     pub panels: BTreeMap<String, PanelResult>,
@@ -34,11 +38,8 @@ pub(super) struct BendingFlow {
 /// The body at a moment.
 #[derive(Clone, Debug)]
 struct Step {
-    time: f64,
-    draught: f64,
-    speed: f64,
-    rate: f64,
-    wetted: f64,
+    /// Its force is that of the water in `forces`.
+    now: Instant,
     /// Values of the columns of panels or modes.
     columns: Vec<f64>,
 }
@@ -73,10 +74,12 @@ impl BendingFlow {
         // a scene of particles starts before the contact
         let mut at_zero = scene.clone();
         at_zero.time.start = 0.0;
-        let whole = of_scene(&at_zero, body, &rows(scene)).map_err(|error| wrong(&error))?;
+        let mut moving = body.clone();
+        moving.velocity = [0.0, -1.0];
+        let whole = of_scene(&at_zero, &moving, &rows(scene)).map_err(|error| wrong(&error))?;
         let columns = columns_of(&*whole).len();
-        // rigid, by the modified Logvinovich model, until the flow begins
-        let before = Before::of(scene, body, section, &*whole)?;
+        // rigid, by the modified Logvinovich model, until the flow begins; its mass is its momentum at 1 m/s
+        let before = Before::of(scene, body, section, -whole.momentum().momentum[1])?;
         let Before { start, draught, speed, .. } = before;
         let flow = EntryFlow::before_bending(section, draught, speed, gravity)?;
         let mut lowered = body.clone();
@@ -87,6 +90,9 @@ impl BendingFlow {
         let mut found = BendingFlow {
             steps: before.instants.iter().map(|now| Step::rigid(now, columns)).collect(),
             forces: before.instants.iter().map(|now| [now.time, now.force]).collect(),
+            loads: before.loads,
+            density,
+            gravity,
             pressures: Vec::new(),
             panels: BTreeMap::new(),
             stresses: Vec::new(),
@@ -103,13 +109,12 @@ impl BendingFlow {
                 break;
             }
             let step = Step::of(&entry, start);
-            let force = entry.body().motion().map_or(0.0, |motion| motion.force[1]);
-            found.forces.push([0.5 * (before + step.time), force]);
+            found.forces.push([0.5 * (before + step.now.time), step.now.force]);
             if !entry.pressure().places.is_empty() {
                 let BottomPressure { time, places } = entry.pressure().clone();
                 found.pressures.push(BottomPressure { time: time + start, places });
             }
-            let risen = step.speed <= 0.0;
+            let risen = step.now.speed <= 0.0;
             found.steps.push(step);
             if risen {
                 over = Some(refuse(format!(
@@ -129,22 +134,14 @@ impl BendingFlow {
 
     /// The body at `times` [s], as far as it was followed.
     pub fn instants(&self, times: &[f64]) -> Vec<Instant> {
-        let end = self.steps[self.steps.len() - 1].time * (1.0 + 1e-9);
+        let end = self.steps[self.steps.len() - 1].now.time * (1.0 + 1e-9);
         times.iter().take_while(|time| **time <= end).map(|time| self.at(*time)).collect()
     }
 
     fn at(&self, time: f64) -> Instant {
-        let (k, share) = between(&self.steps, |step| step.time, time);
+        let (k, share) = between(&self.steps, |step| step.now.time, time);
         let (a, b) = (&self.steps[k], &self.steps[(k + 1).min(self.steps.len() - 1)]);
-        let mix = |a: f64, b: f64| a + share * (b - a);
-        Instant {
-            time,
-            draught: mix(a.draught, b.draught),
-            speed: mix(a.speed, b.speed),
-            rate: mix(a.rate, b.rate),
-            force: self.force(time),
-            wetted: mix(a.wetted, b.wetted),
-        }
+        Instant { force: self.force(time), ..Instant::between(&a.now, &b.now, share, time) }
     }
 
     /// Upward force [N/m]: means of steps, linear between their middles.
@@ -162,7 +159,7 @@ impl BendingFlow {
 
     /// Values of the columns of panels or modes at a time [s].
     pub fn columns(&self, time: f64) -> Vec<f64> {
-        let (k, share) = between(&self.steps, |step| step.time, time);
+        let (k, share) = between(&self.steps, |step| step.now.time, time);
         let (a, b) = (&self.steps[k], &self.steps[(k + 1).min(self.steps.len() - 1)]);
         a.columns.iter().zip(&b.columns).map(|(a, b)| a + share * (b - a)).collect()
     }
@@ -170,9 +167,10 @@ impl BendingFlow {
     /// Pressure [Pa] at a distance `x` from the plane of symmetry [m], at a time [s]: linear between steps at the same share of the wet
     /// bottom.
     pub fn pressure(&self, time: f64, x: f64) -> f64 {
-        let Some(first) = self.pressures.first() else { return 0.0 };
-        if time < first.time {
-            return 0.0;
+        if self.pressures.first().is_none_or(|first| time < first.time) {
+            let Instant { draught, speed, rate, .. } = self.at(time);
+            let at_rest = self.density * self.gravity * (draught - self.loads.section().height(x)).max(0.0);
+            return self.loads.pressure(x, draught, speed, rate, self.density).unwrap_or(0.0) + at_rest;
         }
         let (k, share) = between(&self.pressures, |pressure| pressure.time, time);
         let (a, b) = (&self.pressures[k].places, &self.pressures[(k + 1).min(self.pressures.len() - 1)].places);
@@ -189,21 +187,21 @@ impl BendingFlow {
 impl Step {
     /// Before the flow begins, with a number of columns.
     fn rigid(now: &Instant, columns: usize) -> Step {
-        let &Instant { time, draught, speed, rate, wetted, .. } = now;
-        Step { time, draught, speed, rate, wetted, columns: vec![0.0; columns] }
+        Step { now: *now, columns: vec![0.0; columns] }
     }
 
     /// In a flow that began at `start` [s].
     fn of(entry: &BendingEntry, start: f64) -> Step {
         let motion = entry.body().motion().unwrap_or_default();
-        Step {
+        let now = Instant {
             time: entry.time() + start,
             draught: entry.draught(),
             speed: -motion.velocity[1],
             rate: -motion.acceleration[1],
+            force: motion.force[1],
             wetted: entry.half_width(),
-            columns: columns_of(entry.body()),
-        }
+        };
+        Step { now, columns: columns_of(entry.body()) }
     }
 }
 
@@ -215,6 +213,7 @@ fn columns_of(body: &dyn fsi_coupling::Body) -> Vec<f64> {
 
 /// The body before the flow about it begins.
 struct Before {
+    loads: Loads,
     instants: Vec<Instant>,
     /// When the flow begins [s]; draught [m] and downward speed [m/s] then.
     start: f64,
@@ -223,12 +222,11 @@ struct Before {
 }
 
 impl Before {
-    /// Of a scene's body, as it stands at the start.
-    fn of(scene: &Scene, body: &Body, section: &Section, whole: &dyn fsi_coupling::Body) -> Result<Before, OutOfRange> {
+    /// Of a scene's body of a mass [kg/m], as it stands at the start.
+    fn of(scene: &Scene, body: &Body, section: &Section, mass: f64) -> Result<Before, OutOfRange> {
         let (draught, speed, gravity, density) =
             (body.draught(), -body.velocity[1], -scene.gravity[1], scene.water().density);
         let falls = matches!(body.motion, Motion::Free(_));
-        let mass = whole.momentum().momentum[1] / -speed;
         let motion = if falls { SectionMotion::Free(mass) } else { SectionMotion::Constant };
         let g = if falls { gravity } else { 0.0 };
         let fallen = (-draught).max(0.0);
@@ -236,20 +234,21 @@ impl Before {
         let begin = EntryFlow::before_bending(section, draught.max(0.0), at_contact, gravity)?.draught();
         let loads = Loads::new(EntryModel::Mlm, &section.convex())?;
         let entry = Entry { loads: &loads, motion, draught, speed, gravity, density, buoyancy: true, steep: true };
-        // twice the time that it would take at the speed of the start or of the contact
-        let longest = 2.0 * (begin - draught) / speed.max(f64::MIN_POSITIVE);
+        // the fall, and twice the time that it would take at the speed of the contact
+        let in_air = if fallen > 0.0 { 2.0 * fallen / (speed + at_contact) } else { 0.0 };
+        let longest = in_air + 2.0 * (begin - draught.max(0.0)) / at_contact;
         let times: Vec<f64> = (0..=BEFORE).map(|k| longest * k as f64 / BEFORE as f64).collect();
         let (mut instants, _) = entry.solve_while_in_range(&times);
         let last = instants.partition_point(|now| now.draught < begin);
         let Some([a, b]) = last.checked_sub(1).and_then(|k| instants.get(k..k + 2)).map(|pair| [pair[0], pair[1]])
         else {
-            let now = Before { instants: Vec::new(), start: 0.0, draught: draught.max(begin), speed };
+            let now = Before { loads, instants: Vec::new(), start: 0.0, draught: draught.max(begin), speed };
             return if draught >= begin { Ok(now) } else { Err(refuse("one that does not get into the water".into())) };
         };
         let share = (begin - a.draught) / (b.draught - a.draught);
         instants.truncate(last);
         let mix = |a: f64, b: f64| a + share * (b - a);
-        Ok(Before { instants, start: mix(a.time, b.time), draught: begin, speed: mix(a.speed, b.speed) })
+        Ok(Before { loads, instants, start: mix(a.time, b.time), draught: begin, speed: mix(a.speed, b.speed) })
     }
 }
 
