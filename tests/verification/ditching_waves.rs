@@ -296,7 +296,8 @@ fn seas_that_cannot_be_are_refused_with_their_key() {
     refused(&["sea.touchdown=400"], &["sea.touchdown", "0 to 360"]);
     refused(&["sea.touchdown=down_slope"], &["sea.touchdown", "outside", "falls at", "landing.flight_path_deg"]);
     refused(&["sea.period=8"], &["unknown key"]);
-    let missing = ditching::load("mercure", &["sea.height=1.0".to_string()]).expect_err("refused").to_string();
+    let without = ["sea.height=1.0", "sea.heading_deg=0"].map(String::from);
+    let missing = ditching::load("mercure", &without).expect_err("refused").to_string();
     assert!(missing.contains("sea.length"), "{missing}");
     let warned = |on: &[String; 4], says: &str| {
         let warnings = mercure_on(on, &["landing.end=0.05"]).summary.warnings;

@@ -182,6 +182,13 @@ density = 2700.0
 yield_stress = 250e6
 ";
 
+/// A rotorcraft whose float loads are stated.
+const RULE: &str = "
+[rule]
+limit_load_factor = 3.0
+rotorcraft_mass = 3000.0
+";
+
 /// A mass on a spring over it.
 const SPRUNG_MASS: &str = "
 [[body.sprung_masses]]
@@ -243,6 +250,7 @@ fn a_key_left_out_has_the_default_that_its_keyword_declares() {
             path if path.starts_with("body.sprung_masses") => format!("{silent}{SPRUNG_MASS}"),
             path if path.starts_with("joints") => format!("{silent}{JOINT}"),
             path if path.starts_with("body.modal") => format!("{silent}{MODES}"),
+            path if path.starts_with("rule") => format!("{silent}{RULE}"),
             _ => silent,
         };
         let silent = match keyword.path.split('.').next() {
