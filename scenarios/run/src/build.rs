@@ -130,10 +130,19 @@ fn standing(scene: &Scene, body: &scene::Body, rows: &WallRows) -> Option<Plate>
 }
 
 /// A scene's body as it stands at the start.
-pub(crate) fn of_scene(scene: &Scene, body: &scene::Body, rows: &WallRows) -> Result<Box<dyn Body>, CouplingError> {
+fn of_scene(scene: &Scene, body: &scene::Body, rows: &WallRows) -> Result<Box<dyn Body>, CouplingError> {
+    moving(scene, body, rows, (scene.motion_at_start(body), scene.time.start))
+}
+
+/// A scene's body with a motion at a time [s].
+pub(crate) fn moving(
+    scene: &Scene,
+    body: &scene::Body,
+    rows: &WallRows,
+    (start, clock): (RigidMotion, f64),
+) -> Result<Box<dyn Body>, CouplingError> {
     let half = scene.symmetry == Symmetry::X;
     let outline = Outline::of(&body.shape)?.rooted(roots(scene, body, rows));
-    let (start, clock) = (scene.motion_at_start(body), scene.time.start);
     if !body.panels.is_empty() {
         let flexible = flexible(scene, body, outline, start)?.with_longest_step(scene::longest_step(scene));
         return Ok(Box::new(flexible.starting_at(clock)));

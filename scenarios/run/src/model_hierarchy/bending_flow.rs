@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use fsi_coupling::{BendingEntry, BottomPressure};
+use fsi_coupling::{BendingEntry, BottomPressure, RigidMotion};
 use scene::validity::panels::StressPeak;
 use scene::{Body, Motion, Scene, Symmetry, rows};
 use settings::significant;
@@ -10,7 +10,7 @@ use water_entry::{
     BOUNDARY_ELEMENT_DEADRISES, Entry, EntryFlow, EntryModel, Instant, Loads, OutOfRange, Section, SectionMotion,
 };
 
-use crate::build::of_scene;
+use crate::build::moving;
 use crate::observers::{modal_values, panel_values};
 use crate::panel::PanelResult;
 
@@ -71,21 +71,20 @@ impl BendingFlow {
         BendingFlow::check(scene, section)?;
         let (density, gravity) = (scene.water().density, -scene.gravity[1]);
         let wrong = |error: &dyn std::fmt::Display| refuse(error.to_string());
-        // a scene of particles starts before the contact
-        let mut at_zero = scene.clone();
-        at_zero.time.start = 0.0;
-        let mut moving = body.clone();
-        moving.velocity = [0.0, -1.0];
-        let whole = of_scene(&at_zero, &moving, &rows(scene)).map_err(|error| wrong(&error))?;
+        let moved = |by: f64, speed: f64| {
+            let [x, y] = body.position;
+            RigidMotion { position: [x, y - by], velocity: [0.0, -speed], ..RigidMotion::default() }
+        };
+        let built = |motion: RigidMotion, time: f64| {
+            moving(scene, body, &rows(scene), (motion, time)).map_err(|error| wrong(&error))
+        };
+        let whole = built(moved(0.0, 1.0), 0.0)?;
         let columns = columns_of(&*whole).len();
         // rigid, by the modified Logvinovich model, until the flow begins; its mass is its momentum at 1 m/s
         let before = Before::of(scene, body, section, -whole.momentum().momentum[1])?;
         let Before { start, draught, speed, .. } = before;
         let flow = EntryFlow::before_bending(section, draught, speed, gravity)?;
-        let mut lowered = body.clone();
-        lowered.position[1] -= flow.draught() - body.draught();
-        lowered.velocity[1] = -speed;
-        let built = of_scene(&at_zero, &lowered, &rows(scene)).map_err(|error| wrong(&error))?;
+        let built = built(moved(flow.draught() - body.draught(), speed), start)?;
         let mut entry = BendingEntry::new(built, section, flow, density).map_err(|error| wrong(&error))?;
         let mut found = BendingFlow {
             steps: before.instants.iter().map(|now| Step::rigid(now, columns)).collect(),
