@@ -11,7 +11,7 @@ use fsi_coupling::{
     Shape,
 };
 use structure_fe::{Damping, Material, Theory};
-use water_entry::{ElasticWedge, EntryFlow, Held, Section};
+use water_entry::{BendingWater, ElasticWedge, Held, Section};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let given: Vec<f64> = std::env::args().skip(1).filter_map(|word| word.parse().ok()).collect();
@@ -43,8 +43,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     let outline = Outline::of(&Shape::Wedge { deadrise_deg, breadth: 2.0 * length, side_height: 0.2 })?;
     let section = Section::wedge(deadrise_deg, 2.0 * length)?;
-    let flow = EntryFlow::before_bending(&section, 0.0, speed, 0.0)?; // the face is rigid until then
-    let (position, velocity) = ([0.0, -flow.draught()], [0.0, -speed]);
+    let water = BendingWater::new(&section, 0.0, speed, 0.0)?; // the face is rigid until then
+    let (position, velocity) = ([0.0, -water.draught()], [0.0, -speed]);
     let start = RigidMotion { position, velocity, ..RigidMotion::default() };
     let law = PrescribedBody::steady(position, 0.0, velocity, 0.0);
     let body = FlexibleBody::new(FlexibleSpec {
@@ -58,8 +58,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         damping: Damping { mass: 0.0, stiffness: 0.0 },
         half: true,
     })?;
-    let begun = flow.draught() / speed;
-    let mut entry = BendingEntry::new(Box::new(body), &section, flow, density)?;
+    let begun = water.draught() / speed;
+    let mut entry = BendingEntry::new(Box::new(body), &section, water, density)?;
     let wedge = ElasticWedge {
         deadrise_deg,
         speed,

@@ -5,7 +5,7 @@ use fsi_coupling::{
     Shape,
 };
 use structure_fe::{Damping, Material, Theory};
-use water_entry::{EntryFlow, FlowEntry, Section, SectionMotion, SimilarityFlow};
+use water_entry::{BendingWater, FlowEntry, Section, SectionMotion, SimilarityFlow};
 
 const DENSITY: f64 = 1000.0;
 const HALF_BREADTH: f64 = 0.3;
@@ -28,8 +28,8 @@ impl Wedge {
     }
 
     fn entry(&self) -> BendingEntry {
-        let flow = EntryFlow::before_bending(&self.section(), 0.0, self.speed, 0.0).expect("a flow");
-        let (position, velocity) = ([0.0, -flow.draught()], [0.0, -self.speed]);
+        let water = BendingWater::new(&self.section(), 0.0, self.speed, 0.0).expect("a flow");
+        let (position, velocity) = ([0.0, -water.draught()], [0.0, -self.speed]);
         let shape = Shape::Wedge { deadrise_deg: self.deadrise_deg, breadth: 2.0 * HALF_BREADTH, side_height: 0.2 };
         let frame = match self.mass {
             Some(mass) => Frame::Free { mass, inertia: 1.0, center_of_mass: [0.0; 2], free: [false, true, false] },
@@ -62,7 +62,7 @@ impl Wedge {
             damping: Damping { mass: 0.0, stiffness: 0.0 },
             half: true,
         });
-        BendingEntry::new(Box::new(body.expect("a body")), &self.section(), flow, DENSITY).expect("an entry")
+        BendingEntry::new(Box::new(body.expect("a body")), &self.section(), water, DENSITY).expect("an entry")
     }
 
     /// The draught at which Wagner's width reaches the chines [m].

@@ -3,7 +3,7 @@
 use faer::c64;
 use sph_core::{WallForces, WallsMut};
 use water_entry::{
-    AlongBottom, BendingBottom, BendingStepError, BottomMotion, Deflection, EntryFlow, Section, WaterOnBottom,
+    AlongBottom, BendingBottom, BendingStepError, BendingWater, BottomMotion, Deflection, Section, WaterOnBottom,
 };
 
 use crate::bodies::body::Body;
@@ -44,7 +44,7 @@ pub enum BendingEntryError {
 
 /// Half of a symmetric body that bends, and the water about it.
 pub struct BendingEntry {
-    flow: EntryFlow,
+    water: BendingWater,
     bottom: Bottom,
 }
 
@@ -80,44 +80,44 @@ pub struct BottomPressure {
 }
 
 impl BendingEntry {
-    /// A body that is symmetric about x = 0 and simulated by half, where a flow about its bottom's `section` begins
-    /// ([`EntryFlow::before_bending`]): at its draught and speed, in water of a density [kg/m³].
+    /// A body that is symmetric about x = 0 and simulated by half, where its bottom's `section` begins to bend
+    /// ([`BendingWater::new`]): at its draught and speed, in water of a density [kg/m³].
     ///
     /// # Errors
     /// A body that cannot be sampled, or whose bottom is elsewhere.
     pub fn new(
         mut body: Box<dyn Body>,
         section: &Section,
-        flow: EntryFlow,
+        water: BendingWater,
         density: f64,
     ) -> Result<BendingEntry, BendingEntryError> {
-        let half_breadth = flow.bottom_half_breadth();
+        let half_breadth = water.bottom_half_breadth();
         let points = body.sample(&WallRows::filled(half_breadth / PARTICLES, 1))?;
         let motion = body.motion().unwrap_or_default();
-        let keel = -flow.draught();
+        let keel = -water.draught();
         let is_on_bottom = |at: [f64; 2], normal: [f64; 2], depth: f64| {
             let foot = [0, 1].map(|k| at[k] + depth * normal[k]);
             let off = (foot[1] - keel - section.height(foot[0])).abs();
             let below = normal[1] < 0.0 && foot[0] > 0.0 && foot[0] <= half_breadth;
-            (below && off < 0.02 * half_breadth).then(|| flow.along_bottom(foot[0]))
+            (below && off < 0.02 * half_breadth).then(|| water.along_bottom(foot[0]))
         };
         let on_bottom = |(k, p): (usize, &sph_core::WallPoint)| Some((k, is_on_bottom(p.at, p.normal, p.depth)?));
         let mut particles: Vec<(usize, f64)> = points.iter().enumerate().filter_map(on_bottom).collect();
         if particles.len() < 3 {
             let first = points.first().map(|point| point.at);
-            return Err(BendingEntryError::NoBottom { draught: flow.draught(), points: points.len(), first });
+            return Err(BendingEntryError::NoBottom { draught: water.draught(), points: points.len(), first });
         }
         particles.sort_by(|a, b| a.1.total_cmp(&b.1));
         let along: Vec<f64> = particles.iter().map(|particle| particle.1).collect();
         let between = along.windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));
-        let cells = std::iter::once(0.0).chain(between).chain([flow.along_bottom(half_breadth)]).collect();
+        let cells = std::iter::once(0.0).chain(between).chain([water.along_bottom(half_breadth)]).collect();
         let bottom = Bottom {
             count: points.len(),
             particles,
             cells,
             rest: points.iter().map(|point| point.at).collect(),
             start: motion.position,
-            draught: flow.draught(),
+            draught: water.draught(),
             density,
             time: 0.0,
             earlier: None,
@@ -126,7 +126,7 @@ impl BendingEntry {
             pressure: BottomPressure::default(),
             body,
         };
-        Ok(BendingEntry { flow, bottom })
+        Ok(BendingEntry { water, bottom })
     }
 
     /// The body.
@@ -146,12 +146,12 @@ impl BendingEntry {
 
     /// Half breadth between the ends of the jets [m].
     pub fn half_width(&self) -> f64 {
-        self.flow.half_width()
+        self.water.half_width()
     }
 
     /// Have the chines become wet?
     pub fn chines_wet(&self) -> bool {
-        self.flow.chines_wet()
+        self.water.chines_wet()
     }
 
     /// Pressure on the bottom in the last step.
@@ -170,7 +170,7 @@ impl BendingEntry {
     /// A flow that breaks up, or the structure's.
     pub fn step(&mut self, until: f64) -> Result<f64, BendingEntryError> {
         let longest = (until - self.bottom.time).min(self.bottom.body.stable_dt());
-        let dt = self.flow.step_with(&mut self.bottom, longest)?;
+        let dt = self.water.step_with(&mut self.bottom, longest)?;
         self.bottom.converged().map(|()| dt)
     }
 }
@@ -246,7 +246,7 @@ impl BendingBottom for Bottom {
         let [x, y, mut u, mut v, ax, ay, mut nx, mut ny] = self.kinematics(dt);
         let steady: Vec<f64> = water.steady.iter().map(|p| self.density * p).collect();
         let at = if water.in_middle { self.time + 0.5 * dt } else { self.time };
-        let loads = self.forces(water.along, &steady);
+        let loads = self.forces(&water.along, &steady);
         // the load in the middle of the step
         let mean: Vec<f64> = match self.earlier.take() {
             Some((before, earlier)) if !water.in_middle => {
@@ -281,7 +281,7 @@ impl BendingBottom for Bottom {
             }
             let acceleration = self.along(|k| c64::new(ax[k], ay[k]));
             let caused: Vec<f64> = water.pressure_of(&acceleration).iter().map(|p| self.density * p).collect();
-            let added = self.forces(water.along, &caused);
+            let added = self.forces(&water.along, &caused);
             for (k, (particle, _)) in self.particles.iter().enumerate() {
                 let push = -(mean[k] + added[k]);
                 (fx[*particle], fy[*particle]) = (push * nx[*particle], push * ny[*particle]);
@@ -300,7 +300,7 @@ impl BendingBottom for Bottom {
             let size = |of: &[f64]| of.iter().map(|value| value * value).sum::<f64>().sqrt();
             if size(&found.residual) <= TOLERANCE * size(&found.driving) {
                 let pressures = steady.iter().zip(&caused).map(|(steady, caused)| steady + caused);
-                let places = water.places.iter().zip(pressures).map(|(z, p)| [z.re, p]).collect();
+                let places = water.places.iter().zip(pressures).map(|(x, p)| [*x, p]).collect();
                 self.pressure = BottomPressure { time: at, places };
                 self.body.load(forces);
                 break;

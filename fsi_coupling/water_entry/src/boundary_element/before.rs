@@ -10,8 +10,8 @@ use super::state::EntryFlow;
 const PLACES: usize = 200;
 /// Draughts between which the load of a round bottom goes over to that of its flow: of an arc over its radius, of another over that at which its
 /// added keel is wet [-].
-const ROUND: [f64; 2] = [0.02, 0.04];
-const CURVED: [f64; 2] = [1.2, 2.4];
+pub(super) const ROUND: [f64; 2] = [0.02, 0.04];
+pub(super) const CURVED: [f64; 2] = [1.2, 2.4];
 /// The half widths between which it does under a flat or nearly flat keel, over that of the added keel [-].
 const FLAT: [f64; 2] = [1.2, 1.4];
 

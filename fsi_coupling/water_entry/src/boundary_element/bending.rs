@@ -7,7 +7,8 @@ use super::super::section::Section;
 use super::FlowEnded;
 use super::cauchy::{Complex, Contour};
 use super::deflection::{AlongBottom, Deflection};
-use super::entry::LATEST_UNDER_GRAVITY;
+use super::entry::{LATEST_UNDER_GRAVITY, keels};
+use super::first_contact::{FirstContact, PlateLoad};
 use super::solution::{Solution, SymmetricSolution};
 use super::state::EntryFlow;
 
@@ -15,6 +16,8 @@ use super::state::EntryFlow;
 const BEGIN: f64 = 0.08;
 /// Elements next to the jet, over those about a rigid bottom [-]: stress and deflection change by 0.6 %.
 const JET: f64 = 1.5;
+/// Half width at which a round bottom begins to bend, over that of its first flow [-].
+const FIRST_WIDTH: f64 = 0.05;
 
 /// The stream function that a bending bottom gives, at the nodes of the face.
 pub(super) struct Bending {
@@ -62,31 +65,64 @@ pub trait BendingBottom {
 
 /// The water's pressure on one side of a bottom, as a function of its accelerations; over the density.
 pub struct WaterOnBottom<'a> {
-    contour: &'a Contour,
-    solution: &'a Solution,
+    flow: Option<(&'a Contour, &'a Solution)>,
+    /// The load at the first contact, and its share [-].
+    first: Option<(&'a PlateLoad<'a>, f64)>,
     /// Distances of the nodes from the keel along the face, from the jet or the chine on [m].
-    pub along: &'a [f64],
-    /// Where they are [m].
-    pub places: &'a [c64],
+    pub along: Vec<f64>,
+    /// How far they are from the plane of symmetry [m].
+    pub places: Vec<f64>,
     /// p/ρ there without accelerations [m²/s²].
     pub steady: Vec<f64>,
     /// Is it that of the middle of the step, or that of its start?
     pub in_middle: bool,
 }
 
-impl WaterOnBottom<'_> {
+impl<'a> WaterOnBottom<'a> {
+    /// About a bottom that bends, in a flow.
+    fn of_flow(flow: &'a SymmetricSolution, contour: &'a Contour, in_middle: bool) -> WaterOnBottom<'a> {
+        let solution = &flow.sides[0];
+        let places = solution.face().iter().map(|z| z.re).collect();
+        let steady = flow.load.pressure.iter().map(|[_, steady, _]| *steady).collect();
+        let along = solution.along.clone();
+        WaterOnBottom { flow: Some((contour, solution)), first: None, along, places, steady, in_middle }
+    }
+
+    /// At the first contact.
+    fn of_first(load: &'a PlateLoad<'a>) -> WaterOnBottom<'a> {
+        let places = load.places();
+        let along = places.iter().map(|x| load.along(*x)).collect();
+        let steady = load.steady(&places);
+        WaterOnBottom { flow: None, first: Some((load, 1.0)), along, places, steady, in_middle: false }
+    }
+
+    /// With a share of the load at the first contact.
+    fn mixed_with(self, first: Option<&'a (PlateLoad<'a>, f64)>) -> WaterOnBottom<'a> {
+        let Some((load, share)) = first else { return self };
+        let steady = mix(&self.steady, &load.steady(&self.places), *share);
+        WaterOnBottom { first: Some((load, *share)), steady, ..self }
+    }
+
     /// p/ρ at the nodes [m²/s²] due to accelerations of the bottom along it [m/s²].
     pub fn pressure_of(&self, acceleration: &AlongBottom) -> Vec<f64> {
-        let n = self.solution.nodes.len();
-        let contact = self.solution.contact;
-        let psi = streamed(self.along, self.places, |s| acceleration.sample(s)[0]);
+        let at_first = self.first.map(|(load, share)| (load.pressure_of(acceleration, &self.places), share));
+        let Some((contour, solution)) = self.flow else { return at_first.map_or_else(Vec::new, |(own, _)| own) };
+        let n = solution.nodes.len();
+        let contact = solution.contact;
+        let psi = streamed(&self.along, solution.face(), |s| acceleration.sample(s)[0]);
         let mut rate = Complex {
             phi: vec![0.0; n],
             psi: (0..n).map(|k| if k < contact { 0.0 } else { psi[k - contact] }).collect(),
         };
-        self.contour.solve(&mut rate);
-        rate.phi[contact..].iter().map(|phi| -phi).collect()
+        contour.solve(&mut rate);
+        let of_flow: Vec<f64> = rate.phi[contact..].iter().map(|phi| -phi).collect();
+        at_first.map_or(of_flow.clone(), |(own, share)| mix(&of_flow, &own, share))
     }
+}
+
+/// Values of a flow with a share of others.
+fn mix(of_flow: &[f64], others: &[f64], share: f64) -> Vec<f64> {
+    of_flow.iter().zip(others).map(|(flow, other)| flow + share * (other - flow)).collect()
 }
 
 /// ∫ Im(v̄ dz) from the keel to each node of the face, by Simpson's rule; `of` gives v at a distance from the keel.
@@ -126,27 +162,6 @@ impl EntryFlow {
         Bending { psi, rate, velocity }
     }
 
-    /// The flow about a bottom that bends, when it begins: about the rigid one at a downward `speed` [m/s] under a `gravity` [m/s²] in the water; at
-    /// `draught` [m] where that is later.
-    ///
-    /// # Errors
-    /// As [`EntryFlow::new`]; a bottom without a keel.
-    pub fn before_bending(section: &Section, draught: f64, speed: f64, gravity: f64) -> Result<EntryFlow, OutOfRange> {
-        let wet = section.wagner_draught(section.followed_half_breadth());
-        let of_gravity = LATEST_UNDER_GRAVITY * speed * speed / gravity.max(f64::MIN_POSITIVE);
-        if section.is_blunt() {
-            return Err(OutOfRange {
-                what: "one without a keel, which bends at the first contact".into(),
-                range: "bottoms with a keel that bend".into(),
-                next: EntryModel::Wcsph,
-            });
-        }
-        let first = (BEGIN * wet).min(of_gravity);
-        let mut flow = EntryFlow::new(section, first.max(draught), speed, gravity)?;
-        flow.sizes.jet *= JET;
-        Ok(flow)
-    }
-
     /// The distance from the keel along the rigid bottom at which it is `x` [m] from the plane of symmetry.
     pub fn along_bottom(&self, x: f64) -> f64 {
         let face = &self.face;
@@ -176,14 +191,19 @@ impl EntryFlow {
     }
 
     /// EN53: one step of water and bottom together, no longer than `longest` [s]. Returns the step [s].
-    ///
-    /// # Errors
-    /// A flow that breaks up, or the structure's; the flow before the step is kept.
-    pub fn step_with<B: BendingBottom>(
+    fn step_with<B: BendingBottom>(
         &mut self,
         body: &mut B,
         longest: f64,
+        first: Option<&FirstContact>,
     ) -> Result<f64, BendingStepError<B::Error>> {
+        let at_first = |motion: BottomMotion| {
+            let load = first.map(|first| Ok((first, first.load(motion)?))).transpose().map_err(BendingStepError::Flow)?;
+            Ok(load.map(|(first, load)| {
+                let share = 1.0 - first.share_of_flow(load.half_width);
+                (load, share)
+            }))
+        };
         let mut now = self.clone().with_motion(body.motion(0.0));
         let (mut start, mut matrix) = now.solve_keeping_matrix();
         if now.leaves_chine(&start.sides[0]) {
@@ -193,7 +213,9 @@ impl EntryFlow {
         let ended = |flow: &EntryFlow| BendingStepError::Flow(FlowEnded { draught: flow.draught, speed: flow.speed });
         let (dt, end) = if now.has_past() {
             let dt = now.extrapolated_dt(&start.sides[0]).min(longest);
-            body.advance(dt, &start.on_bottom(&matrix, false)).map_err(BendingStepError::Structure)?;
+            let own = at_first(body.motion(0.0))?;
+            let water = WaterOnBottom::of_flow(&start, &matrix, false).mixed_with(own.as_ref());
+            body.advance(dt, &water).map_err(BendingStepError::Structure)?;
             (dt, now.extrapolated(&start.sides[0], 0.0, dt))
         } else {
             let dt = now.stable_dt(&start.sides[0]).min(longest);
@@ -202,7 +224,9 @@ impl EntryFlow {
                 return Err(ended(&half));
             }
             let (middle, matrix) = half.solve_keeping_matrix();
-            body.advance(dt, &middle.on_bottom(&matrix, true)).map_err(BendingStepError::Structure)?;
+            let own = at_first(body.motion(0.5 * dt))?;
+            let water = WaterOnBottom::of_flow(&middle, &matrix, true).mixed_with(own.as_ref());
+            body.advance(dt, &water).map_err(BendingStepError::Structure)?;
             (dt, now.moved(half.speed, &middle.sides[0], 0.0, dt))
         };
         let too_short = now.is_too_short(dt) && dt < longest;
@@ -213,12 +237,110 @@ impl EntryFlow {
         *self = end.after(&now, &start.sides[0], 0.0, dt).attached().redistributed();
         Ok(dt)
     }
+
+    /// The first flow about a bottom that has bent before.
+    fn after_first(&self, load: &PlateLoad<'_>, draught: f64) -> EntryFlow {
+        let flow = self.clone().at_speed(load.speed_of_rigid());
+        let face = flow.face.at_draught(flow.face.draught + load.displacement_at_edge());
+        EntryFlow { face, draught, ..flow }
+    }
 }
 
-impl SymmetricSolution {
-    fn on_bottom<'a>(&'a self, contour: &'a Contour, in_middle: bool) -> WaterOnBottom<'a> {
-        let solution = &self.sides[0];
-        let steady = self.load.pressure.iter().map(|[_, steady, _]| *steady).collect();
-        WaterOnBottom { contour, solution, along: &solution.along, places: solution.face(), steady, in_middle }
+/// Water about one half of a symmetric bottom that bends: that at its first contact, then a flow.
+pub struct BendingWater {
+    flow: EntryFlow,
+    /// Of a round bottom.
+    first: Option<FirstContact>,
+    /// Half widths at the first contact, now and when the flow begins [m]; `None` in the flow.
+    widths: Option<[f64; 2]>,
+}
+
+impl BendingWater {
+    /// Where a bottom begins to bend: rigid until then, it comes at a downward `speed` [m/s] under a `gravity` [m/s²] in the water; at `draught`
+    /// [m] where that is later.
+    ///
+    /// # Errors
+    /// As [`EntryFlow::new`]; a flat or nearly flat bottom.
+    pub fn new(section: &Section, draught: f64, speed: f64, gravity: f64) -> Result<BendingWater, OutOfRange> {
+        if section.is_blunt() && !section.is_round() {
+            return Err(OutOfRange {
+                what: "one with a flat keel, which bends when it meets the water at once".into(),
+                range: "bottoms that bend with a keel or round".into(),
+                next: EntryModel::Wcsph,
+            });
+        }
+        let wet = section.wagner_draught(section.followed_half_breadth());
+        let of_gravity = LATEST_UNDER_GRAVITY * speed * speed / gravity.max(f64::MIN_POSITIVE);
+        let of_round = if section.is_round() { EntryFlow::first_half_width(section, keels(section)[0]) } else { None };
+        let first = of_round.map_or((BEGIN * wet).min(of_gravity), |half_width| section.wagner_draught(half_width));
+        let mut flow = EntryFlow::new(section, first.max(draught), speed, gravity)?;
+        flow.sizes.jet *= JET;
+        let Some(end) = of_round.filter(|_| draught < first) else {
+            return Ok(BendingWater { flow, first: None, widths: None });
+        };
+        flow.draught = section.wagner_draught(FIRST_WIDTH * end).max(draught);
+        let contact = FirstContact::new(section, &flow, gravity);
+        let start = contact.half_width(&|half_width| section.wagner_draught(half_width) - flow.draught);
+        Ok(BendingWater { flow, first: Some(contact), widths: Some([start, end]) })
+    }
+
+    /// Draught of the undeformed keel [m].
+    pub fn draught(&self) -> f64 {
+        self.flow.draught
+    }
+
+    /// The distance from the keel along the rigid bottom at which it is `x` [m] from the plane of symmetry.
+    pub fn along_bottom(&self, x: f64) -> f64 {
+        self.flow.along_bottom(x)
+    }
+
+    /// The half breadth of the bottom that the flow follows [m].
+    pub fn bottom_half_breadth(&self) -> f64 {
+        self.flow.face.rigid_place(self.flow.face.whole_length()).z.re
+    }
+
+    /// Half breadth of the wet part, in a flow that between the ends of the jets [m].
+    pub fn half_width(&self) -> f64 {
+        self.widths.map_or_else(|| self.flow.half_width(), |[now, _]| now)
+    }
+
+    /// Has the flow left the chines?
+    pub fn chines_wet(&self) -> bool {
+        self.flow.chines_wet()
+    }
+
+    /// One step of water and bottom together, no longer than `longest` [s]. Returns the step [s].
+    ///
+    /// # Errors
+    /// A flow that breaks up, or the structure's; the flow before the step is kept.
+    pub fn step_with<B: BendingBottom>(
+        &mut self,
+        body: &mut B,
+        longest: f64,
+    ) -> Result<f64, BendingStepError<B::Error>> {
+        if let (Some(first), Some([_, end])) = (&self.first, self.widths) {
+            let motion = body.motion(0.0);
+            let draught = motion.draught;
+            let load = first.load(motion).map_err(BendingStepError::Flow)?;
+            if load.half_width < end {
+                let dt = load.longest_dt().min(longest);
+                self.flow.draught = draught;
+                self.widths = Some([load.half_width, end]);
+                body.advance(dt, &WaterOnBottom::of_first(&load)).map_err(BendingStepError::Structure)?;
+                return Ok(dt);
+            }
+            self.flow = self.flow.after_first(&load, draught);
+            self.widths = None;
+        }
+        let dt = self.flow.step_with(body, longest, self.first.as_ref())?;
+        if self.first.as_ref().is_some_and(|first| first.share_of_flow(self.flow.half_width()) >= 1.0) {
+            self.first = None;
+        }
+        Ok(dt)
+    }
+
+    #[cfg(test)]
+    pub(super) fn first_contact(&self) -> Option<&FirstContact> {
+        self.first.as_ref()
     }
 }

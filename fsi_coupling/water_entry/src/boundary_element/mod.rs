@@ -12,6 +12,7 @@ mod elements;
 mod entry;
 mod face;
 mod factorised;
+mod first_contact;
 mod influence;
 mod lower_side;
 mod rolled;
@@ -25,7 +26,7 @@ use std::f64::consts::FRAC_2_PI;
 
 use faer::c64;
 
-pub use bending::{BendingBottom, BendingStepError, BottomMotion, WaterOnBottom};
+pub use bending::{BendingBottom, BendingStepError, BendingWater, BottomMotion, WaterOnBottom};
 pub(crate) use buffer::Buffer;
 pub use deflection::{AlongBottom, Deflection};
 pub use entry::{FlowEntry, FlowHistory};
@@ -179,19 +180,23 @@ impl EntryFlow {
         })
     }
 
-    /// The draught at which the flow about a round bottom begins [m]; `None` for a wedge.
-    fn first_draught(section: &Section, AddedKeel { deg, first }: AddedKeel) -> Option<f64> {
+    /// The draught at which the flow about a blunt bottom begins [m]; `None` for a wedge.
+    fn first_draught(section: &Section, keel: AddedKeel) -> Option<f64> {
+        EntryFlow::first_half_width(section, keel).map(|half_width| section.wagner_draught(half_width))
+    }
+
+    /// And the half width that is wet then [m].
+    fn first_half_width(section: &Section, AddedKeel { deg, first }: AddedKeel) -> Option<f64> {
         let keel = deg.to_radians();
-        let half_width = match section.radius() {
-            Some(radius) => first * radius * keel.sin(),
+        match section.radius() {
+            Some(radius) => Some(first * radius * keel.sin()),
             None if section.is_blunt() => {
                 let face = Face::curved(section, keel);
                 let (least, from) = (face.keel_half_width(), face.grows_from());
-                if from > least { from } else { first * least }
+                Some(if from > least { from } else { first * least })
             }
-            None => return None,
-        };
-        Some(section.wagner_draught(half_width))
+            None => None,
+        }
     }
 
     /// The flow about a wedge at another draught [m]: all lengths in proportion to it.

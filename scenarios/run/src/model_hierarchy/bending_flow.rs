@@ -7,7 +7,7 @@ use scene::validity::panels::StressPeak;
 use scene::{Body, Motion, Scene, Symmetry, rows};
 use settings::significant;
 use water_entry::{
-    BOUNDARY_ELEMENT_DEADRISES, Entry, EntryFlow, EntryModel, Instant, Loads, OutOfRange, Section, SectionMotion,
+    BOUNDARY_ELEMENT_DEADRISES, BendingWater, Entry, EntryModel, Instant, Loads, OutOfRange, Section, SectionMotion,
 };
 
 use crate::build::moving;
@@ -47,7 +47,7 @@ struct Step {
 fn refuse(what: String) -> OutOfRange {
     OutOfRange {
         what,
-        range: "panels or modes of a body with a keel that is simulated by half (symmetry = \"x\"), on its way down, from dry chines on".into(),
+        range: "panels or modes of a body with a keel or a round bottom that is simulated by half (symmetry = \"x\"), on its way down, from dry chines on".into(),
         next: EntryModel::Wcsph,
     }
 }
@@ -56,12 +56,12 @@ impl BendingFlow {
     /// Is a scene within its range at the start?
     ///
     /// # Errors
-    /// A body that is simulated whole; a round or flat bottom, whose first contact bends it before a flow can begin.
+    /// A body that is simulated whole; a flat bottom, all of which meets the water at once.
     pub fn check(scene: &Scene, section: &Section) -> Result<(), OutOfRange> {
         let steep = section.slope(0.0).atan().to_degrees();
         match scene.symmetry {
-            Symmetry::X if steep >= BOUNDARY_ELEMENT_DEADRISES[0] => Ok(()),
-            Symmetry::X => Err(refuse("one without a keel, which bends at the first contact".into())),
+            Symmetry::X if steep >= BOUNDARY_ELEMENT_DEADRISES[0] || section.is_round() => Ok(()),
+            Symmetry::X => Err(refuse("one with a flat keel, which bends when it meets the water at once".into())),
             _ => Err(refuse("a body that is simulated whole".into())),
         }
     }
@@ -83,9 +83,9 @@ impl BendingFlow {
         // rigid, by the modified Logvinovich model, until the flow begins; its mass is its momentum at 1 m/s
         let before = Before::of(scene, body, section, -whole.momentum().momentum[1])?;
         let Before { start, draught, speed, .. } = before;
-        let flow = EntryFlow::before_bending(section, draught, speed, gravity)?;
-        let built = built(moved(flow.draught() - body.draught(), speed), start)?;
-        let mut entry = BendingEntry::new(built, section, flow, density).map_err(|error| wrong(&error))?;
+        let water = BendingWater::new(section, draught, speed, gravity)?;
+        let built = built(moved(water.draught() - body.draught(), speed), start)?;
+        let mut entry = BendingEntry::new(built, section, water, density).map_err(|error| wrong(&error))?;
         let mut found = BendingFlow {
             steps: before.instants.iter().map(|now| Step::rigid(now, columns)).collect(),
             forces: before.instants.iter().map(|now| [now.time, now.force]).collect(),
@@ -230,7 +230,7 @@ impl Before {
         let g = if falls { gravity } else { 0.0 };
         let fallen = (-draught).max(0.0);
         let at_contact = (speed * speed + 2.0 * g * fallen).sqrt();
-        let begin = EntryFlow::before_bending(section, draught.max(0.0), at_contact, gravity)?.draught();
+        let begin = BendingWater::new(section, draught.max(0.0), at_contact, gravity)?.draught();
         let loads = Loads::new(EntryModel::Mlm, &section.convex())?;
         let entry = Entry { loads: &loads, motion, draught, speed, gravity, density, buoyancy: true, steep: true };
         // the fall, and twice the time that it would take at the speed of the contact
