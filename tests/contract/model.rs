@@ -197,7 +197,7 @@ fn a_model_out_of_its_range_is_refused() {
         ("dam_break", &["model=mlm"], &["without a body"]),
         ("elastic_wedge", &["model=mlm"], &["panels that bend", "\"boundary_element\""]),
         ("elastic_wedge", &["model=wagner", "time.end=0.003"], &["wet chines", "\"boundary_element\""]),
-        ("fuselage_flexible", &["model=boundary_element"], &["without a keel", "\"wcsph\""]),
+        ("flexible_wedge", &["model=boundary_element", "symmetry=none"], &["simulated whole", "\"wcsph\""]),
         ("wedge_rolled", &["model=wagner"], &["tilted", "\"boundary_element\""]),
         ("wedge_constant", &["model=mlm", "tank.depth=8.0"], &["four wetted half widths", "\"wcsph\""]),
         ("wedge", &["model=mlm", "solver=incompressible"], &["`solver`", "\"mlm\""]),

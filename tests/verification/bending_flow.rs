@@ -153,3 +153,77 @@ fn soft_and_light_panels_keep_the_balance_of_energy() {
         assert!(per_step <= 8 && entry.chines_wet() && deepest > 5e-4, "{name}: {per_step} per step, {deepest} m");
     }
 }
+
+/// A section with a round bottom of 1 m of radius, 0.8 m wide, with a panel between clamps on each side.
+fn round(thickness: f64, material: Material) -> (Section, BendingEntry) {
+    let (radius, half_breadth, speed) = (1.0, 0.4, 4.0);
+    let section = Section::arc(radius, 2.0 * half_breadth).expect("an arc");
+    let water = BendingWater::new(&section, 0.0, speed, 0.0).expect("water");
+    let chine = radius - f64::sqrt(radius * radius - half_breadth * half_breadth);
+    let panel = PanelSpec {
+        name: "bottom".into(),
+        span: [[0.0; 2], [half_breadth, chine]],
+        elements: 24,
+        mesh: None,
+        thickness,
+        plane: Plane::Strain,
+        material,
+        theory: Theory::EulerBernoulli,
+        plasticity: None,
+        rupture_strain: None,
+        allowable_stress: None,
+        ends: [PanelEnd::Clamped; 2],
+        end_springs: Default::default(),
+        watch: vec![0.5],
+    };
+    let (position, velocity) = ([0.0, -water.draught()], [0.0, -speed]);
+    let body = FlexibleBody::new(FlexibleSpec {
+        name: "section".into(),
+        outline: Outline::of(&Shape::Arc { radius, breadth: 2.0 * half_breadth, side_height: 0.2 })
+            .expect("an outline"),
+        middle: None,
+        panels: vec![panel],
+        frame: Frame::Free { mass: 150.0, inertia: 1.0, center_of_mass: [0.0; 2], free: [false, true, false] },
+        start: RigidMotion { position, velocity, ..RigidMotion::default() },
+        gravity: [0.0; 2],
+        damping: Damping { mass: 0.0, stiffness: 0.0 },
+        half: true,
+    });
+    let entry = BendingEntry::new(Box::new(body.expect("a body")), &section, water, DENSITY).expect("an entry");
+    (section, entry)
+}
+
+/// EN60–EN62: a round bottom that hardly bends falls as a rigid one, through its first contact and the flow after it.
+#[test]
+fn a_stiff_round_bottom_falls_as_a_rigid_one() {
+    let (section, mut entry) = round(0.02, STIFF);
+    let mass = -entry.body().momentum().momentum[1] / 4.0;
+    let (draught, motion) = (entry.draught(), SectionMotion::Free(mass));
+    let rigid = FlowEntry { section: &section, motion, draught: 0.0, speed: 4.0, gravity: 0.0, density: DENSITY };
+    let begun = draught / 4.0;
+    let times: Vec<f64> = std::iter::once(0.0).chain([0.002, 0.006, 0.012, 0.02].map(|t| t + begun)).collect();
+    let (now, ..) = rigid.solve(&times).expect("a rigid entry");
+    for at in &now[1..] {
+        while entry.time() + begun < at.time * (1.0 - 1e-9) {
+            entry.step(at.time - begun).expect("a step");
+        }
+        let speed = -entry.body().motion().expect("a motion").velocity[1];
+        assert!((speed - at.speed).abs() < 0.03, "{} s: {speed}, {}", at.time, at.speed);
+    }
+}
+
+/// The work of the water on a soft round bottom is what the body lost and the plates hold.
+#[test]
+fn a_soft_round_bottom_keeps_the_balance_of_energy() {
+    let (section, mut entry) = round(0.005, ALUMINIUM);
+    let start = entry.body().energy();
+    let mut deepest = 0.0_f64;
+    while entry.draught() < 1.2 * section.wagner_draught(0.4) {
+        entry.step(1.0).expect("a step");
+        deepest = deepest.max(entry.body().panels()[0].watched[0].deflection.abs());
+    }
+    let end = entry.body().energy();
+    let gained = end.kinetic + end.elastic + end.dissipated - start.kinetic - start.elastic;
+    assert!(end.work < 0.0 && (gained / end.work - 1.0).abs() < 0.01, "{gained} J/m of {}", end.work);
+    assert!(entry.chines_wet() && deepest > 5e-4, "{deepest} m");
+}

@@ -44,8 +44,8 @@ pub mod waves;
 
 pub use asymmetric_similarity::{AsymmetricFlow, Balance, FaceFlow, NoFlow, NoPlateFlow, PlateFlow};
 pub use boundary_element::{
-    AlongBottom, BendingBottom, BendingStepError, BendingWater, BottomMotion, Deflection, EntryFlow, FlowEnded, FlowEntry,
-    FlowHistory, FlowLoad, RolledEntry, RolledFlow, RolledInstant, RolledLoad, WaterOnBottom,
+    AlongBottom, BendingBottom, BendingStepError, BendingWater, BottomMotion, Deflection, EntryFlow, FlowEnded,
+    FlowEntry, FlowHistory, FlowLoad, RolledEntry, RolledFlow, RolledInstant, RolledLoad, WaterOnBottom,
 };
 pub use entry::{Entry, Instant, SectionMotion};
 pub use hydroelastic::{ElasticWedge, Held, WedgeState};

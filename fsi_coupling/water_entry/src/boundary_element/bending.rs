@@ -198,7 +198,8 @@ impl EntryFlow {
         first: Option<&FirstContact>,
     ) -> Result<f64, BendingStepError<B::Error>> {
         let at_first = |motion: BottomMotion| {
-            let load = first.map(|first| Ok((first, first.load(motion)?))).transpose().map_err(BendingStepError::Flow)?;
+            let load =
+                first.map(|first| Ok((first, first.load(motion)?))).transpose().map_err(BendingStepError::Flow)?;
             Ok(load.map(|(first, load)| {
                 let share = 1.0 - first.share_of_flow(load.half_width);
                 (load, share)

@@ -50,8 +50,9 @@ const BENT_ERROR: f64 = 0.05;
 /// RMS difference of a falling bent section's speed from particles over that at contact [-].
 const BENT_DROP_ERROR: f64 = 0.01;
 
-/// Deadrises of the wedges with panels that were measured [deg].
-const BENDING_FACES: [f64; 2] = [10.0, 20.0];
+/// Deadrises of the wedges with panels that were measured [deg], and the largest half breadth of the arcs over their radius [-].
+const BENDING_FACES: [f64; 2] = [10.0, 30.0];
+const BENDING_ARC: f64 = 0.67;
 /// Largest differences from particles on them: largest force, largest stress, and RMS of a falling frame's speed over that at contact [-].
 const BENDING_ERROR: f64 = 0.05;
 const BENDING_STRESS_ERROR: f64 = 0.12;
@@ -239,11 +240,15 @@ fn of_bent_bottom(scene: &Scene, theory: &Theory, want: QuantityOfInterest) -> O
 /// About a bottom that bends, against particles.
 fn of_bending_bottom(scene: &Scene, theory: &Theory, want: QuantityOfInterest) -> Option<Measured> {
     let falls = scene.body.as_ref().is_some_and(|body| matches!(body.motion, Motion::Free(_)));
-    let wedge =
-        theory.section.deadrise_deg().is_some_and(|deadrise| (BENDING_FACES[0]..=BENDING_FACES[1]).contains(&deadrise));
-    let case = || "wedges with panels, against particles".into();
+    let section = &theory.section;
+    let is_in = |deadrise| (BENDING_FACES[0]..=BENDING_FACES[1]).contains(&deadrise);
+    let measured = match section.radius() {
+        Some(radius) => section.half_breadth() <= BENDING_ARC * radius,
+        None => section.deadrise_deg().is_some_and(is_in),
+    };
+    let case = || "wedges and arcs with panels, against particles".into();
     match want {
-        _ if !wedge => None,
+        _ if !measured => None,
         QuantityOfInterest::Motion if falls => Some(Measured { error: BENDING_DROP_ERROR, case: case() }),
         QuantityOfInterest::Motion => Some(Measured { error: 0.0, case: "a motion that is given".into() }),
         QuantityOfInterest::PeakForce | QuantityOfInterest::History => {
