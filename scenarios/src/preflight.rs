@@ -15,9 +15,9 @@ use fsi_coupling::natural_frequencies;
 use run::model_hierarchy::{Assessment, assess};
 use run::observers::{WaveTheory, wave_theory};
 use scene::{
-    Body, CouplingScheme, Entry, ExchangeRatio, Modes, OutlineReport, Panel, QuantityOfInterest, Scene, Symmetry,
-    cost_of_step, estimated_steps, known_compressibility_error, layout, line, memory_estimate, panel_exchanges,
-    panel_length, particle_estimate, step_at_start,
+    Body, CouplingScheme, Entry, ExchangeRatio, Modes, OutlineReport, Panel, Scene, Symmetry, cost_of_step,
+    estimated_steps, known_compressibility_error, layout, line, memory_estimate, panel_exchanges, panel_length,
+    particle_estimate, step_at_start,
 };
 use serde::Serialize;
 use settings::significant;
@@ -65,6 +65,9 @@ pub struct Preflight {
     /// A structure by its modes.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub modes: Option<ModesBrief>,
+    /// What the errors of theories are of.
+    #[serde(skip)]
+    pub want: &'static str,
     /// The model that runs the scene.
     pub model: &'static str,
     /// The reason, where the model was chosen automatically.
@@ -159,11 +162,9 @@ pub fn preflight(scene: &Scene, warnings: &[String]) -> Preflight {
             .collect(),
         modes: scene.body.as_ref().and_then(|body| body.modal.as_ref()).map(ModesBrief::of),
         model: scene.model.name(),
+        want: scene.want.words(),
         choice: scene.choice.clone(),
-        theories: scene
-            .entry()
-            .filter(|_| scene.bodies.is_empty())
-            .map_or(Vec::new(), |_| assess(scene, QuantityOfInterest::PeakForce)),
+        theories: scene.entry().filter(|_| scene.bodies.is_empty()).map_or(Vec::new(), |_| assess(scene, scene.want)),
         in_waves: wave_theory(scene),
         outline: None,
         warnings: warnings.to_vec(),
@@ -211,12 +212,12 @@ fn dry_frequencies(scene: &Scene, panel: &Panel) -> Vec<f64> {
 }
 
 /// A theory in a line.
-fn theory_line(a: &Assessment) -> String {
+fn theory_line(a: &Assessment, want: &str) -> String {
     let name = format!("  {:<17}", a.model.name());
     match (&a.obstacle, a.core_seconds, &a.measured) {
         (Some(obstacle), ..) => format!("{name}{obstacle}"),
         (None, Some(cost), Some(m)) => {
-            format!("{name}{:.1} ms, largest force {:.2} % off in {}", 1e3 * cost, 100.0 * m.error, m.case)
+            format!("{name}{:.1} ms, {want} {:.2} % off in {}", 1e3 * cost, 100.0 * m.error, m.case)
         }
         (None, cost, _) => format!("{name}{:.1} ms, measured nowhere near this scene", 1e3 * cost.unwrap_or(0.0)),
     }
@@ -229,7 +230,7 @@ impl Preflight {
         let mut lines = vec![format!("scene        {}", self.scene), format!("model        {}", self.model)];
         lines.extend(self.outline.iter().map(OutlineReport::to_text));
         lines.extend(self.choice.iter().map(|why| format!("             chosen: {why}")));
-        lines.extend(self.theories.iter().map(theory_line));
+        lines.extend(self.theories.iter().map(|theory| theory_line(theory, self.want)));
         lines.extend(self.in_waves.iter().map(|theory| format!("linear waves {}", theory.to_text())));
         if !self.theories.is_empty() {
             lines.push(format!("  {:<17}about {:.0} core-seconds", "particles", self.core_seconds));

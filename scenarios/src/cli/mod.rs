@@ -2,9 +2,11 @@
 
 mod about;
 mod bench;
+mod decisions;
 mod ditch;
 mod experiments;
 mod export;
+mod fit;
 mod keywords;
 mod plane;
 mod progress;
@@ -12,6 +14,7 @@ mod report;
 mod resume;
 mod run;
 mod shared;
+mod size;
 mod sweep;
 mod thesis_files;
 mod tips;
@@ -71,6 +74,10 @@ enum Command {
     Stability(stability::StabilityArgs),
     /// Run a scene or a landing at many points, each in a process of its own, and tabulate the results.
     Sweep(sweep::SweepArgs),
+    /// Find the smallest value of a key with which results stay allowed, with their bands.
+    Size(size::SizeArgs),
+    /// Find the values of keys with which a scene gives measured curves.
+    Fit(fit::FitArgs),
     /// Land an aeroplane on water by its sections (2D+t).
     Ditch(ditch::DitchArgs),
     /// Compute the steady load of a hull that planes, as in a towing tank.
@@ -196,6 +203,8 @@ fn start(cli: &Cli, program: &[OsString]) -> Result<u8, Stop> {
         Command::Chart(args) => work_precision::run_charts(output, args),
         Command::Stability(args) => stability::run_maps(output, args),
         Command::Sweep(args) => sweep::run_sweep(output, args, cli.threads, program),
+        Command::Size(args) => size::run_size(output, args),
+        Command::Fit(args) => fit::run_fit(output, args),
         Command::Ditch(args) => ditch::run_ditch(output, args),
         Command::Plane(args) => plane::run_plane(output, args),
         Command::Bench(args) => bench::run_bench(output, args),

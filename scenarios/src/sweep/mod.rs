@@ -36,7 +36,7 @@ mod words;
 mod worker;
 
 pub use axes::Block;
-pub use collect::{Collected, Number, PointResult};
+pub use collect::{Collected, PointResult};
 pub use error::SweepError;
 pub use file::{Kind, SweepFile};
 pub use folder::{Outcome, PointFolder, State, SweepFolder};

@@ -1,9 +1,10 @@
 //! `sweep.html`: worst cases, trends, response surfaces, points and failures.
 
+use decide::numbers::{Number, Said};
 use report::{Block, Card, Lead, Table, Tone, hint_html, lead_html, page as html_page};
 use scene::vocabulary::{ResultName, Status, Verdict};
 
-use super::collect::{Collected, Number, PointResult, Said, is_failed};
+use super::collect::{Collected, PointResult, is_failed};
 use super::surfaces::surfaces;
 use super::table::{Worst, folder_of, worst};
 use super::trends::{charted, trends};

@@ -1,10 +1,11 @@
 //! The table of a sweep, and its worst cases.
 
+use decide::Number;
 use scene::vocabulary::{ResultName, Verdict};
 use serde::Serialize;
 use serde_json::Value;
 
-use super::collect::{Collected, Number, PointResult};
+use super::collect::{Collected, PointResult};
 use crate::data_table::DataTable;
 
 /// A value of an axis; texts without quotes.

@@ -1,10 +1,11 @@
 //! Charts of each quantity against each axis: colours and dashes by the other axes, bands, marks for what is not resolved.
 
+use decide::numbers::{Number, Said};
 use report::{Block, CATEGORIES, Chart, Curve, Mark, Paint, Rgb, TrendLine};
 use scene::vocabulary::Verdict;
 use serde_json::Value;
 
-use super::collect::{Collected, Number, PointResult, Said};
+use super::collect::{Collected, PointResult};
 use super::response::extent;
 use super::words::{Quantity, axis_label, axis_value};
 

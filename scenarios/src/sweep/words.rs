@@ -1,5 +1,6 @@
 //! Quantities and axes of a sweep in the words and units of the page.
 
+use decide::Number;
 use report::run_page::quantity::{Unit, digits};
 use report::run_page::two_digits;
 use report::{COARSE, Tone};
@@ -7,7 +8,7 @@ use scene::vocabulary::{ResultId, Status, Verdict, column_title, is_withheld};
 use serde_json::Value;
 use settings::significant;
 
-use super::collect::{Collected, Number, PointResult};
+use super::collect::{Collected, PointResult};
 use super::file::SCENE_AXIS;
 use super::plan::Axis;
 use super::table::plain;

@@ -184,6 +184,11 @@ impl Section {
         self.round_keel || self.radius.is_some() || self.curve.as_ref().is_some_and(is_level)
     }
 
+    /// Do its points stand for a curve?
+    pub fn is_curved(&self) -> bool {
+        self.curve.is_some()
+    }
+
     /// Half width of a flat keel [m]; `None` of a keeled or a round bottom.
     pub fn flat_keel(&self) -> Option<f64> {
         (!self.is_round() && self.slopes[0] < LEVEL).then(|| self.corners[1][0])

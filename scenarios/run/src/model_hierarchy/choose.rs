@@ -57,7 +57,9 @@ fn reason(theories: &[Assessment]) -> String {
     }
     if let Some(holds) = theories.iter().rev().find(|a| a.obstacle.is_none()) {
         let model = holds.model.name();
-        return format!("{model} holds, but its error was not measured near this scene; model = \"{model}\" runs it");
+        return format!(
+            "{model} holds, but its error was not measured near this scene; model = \"{model}\" without want and within runs it"
+        );
     }
     let nearest = theories.iter().find(|a| a.begins).or(theories.last()); // the last holds for most sections
     let why = nearest.and_then(|a| Some(format!("{} {}", a.model.name(), a.obstacle.as_ref()?)));

@@ -17,6 +17,7 @@
 mod assess;
 mod bending_flow;
 mod choose;
+mod curves;
 mod elastic_wedge;
 mod measured;
 mod rolled;

@@ -65,7 +65,7 @@ pub struct Scene {
     pub source: String,
     /// Model of the flow. auto: the cheapest whose measured error for `want` is at most `within` (THEORY EN9); von_karman,
     /// wagner, mlm, similarity: analytical models of a symmetric section's entry, in milliseconds; boundary_element: nonlinear potential flow
-    /// about a wedge, a polygon, an arc or a curve, flat keels and wet chines too, and panels of a bottom with a keel, in seconds; wcsph, incompressible:
+    /// about a wedge, a polygon, an arc or a curve, flat keels and wet chines too, and panels of keeled and round bottoms, in seconds; wcsph, incompressible:
     /// particles.
     #[schemars(with = "Auto<EntryModel>", extend("x-default" = "wcsph; the solver's where there is one"))]
     pub model: EntryModel,

@@ -1,0 +1,259 @@
+//! Values of keys with which a scene gives measured curves: a drop test and its model.
+//!
+//! Least squares by Levenberg and Marquardt ([`least_squares`]); intervals from the curves' own scatter.
+
+pub mod data;
+pub mod least_squares;
+
+use std::collections::BTreeMap;
+
+use rayon::prelude::*;
+use serde::Serialize;
+use statrs::distribution::{ContinuousCDF, StudentsT};
+
+pub use data::{Curve, DataError, read};
+use least_squares::{Fit, minimise};
+
+use crate::evaluate::{EvaluateError, Evaluator};
+
+/// Relative step of the differences by which the curves' change with a value is found.
+const STEP: f64 = 0.02;
+/// Times that the curves' scatter is found anew.
+const WEIGHINGS: usize = 3;
+/// Half of an interval over its value, from which the data cannot tell the value [-].
+const UNKNOWN: f64 = 0.5;
+/// Correlation of two values, from which the data cannot tell them apart [-].
+const ALIKE: f64 = 0.98;
+/// Correlation of neighbouring residuals, from which the model is off by more than noise [-].
+const OFF: f64 = 0.3;
+/// Name of the time of the scene's start in the data [s].
+pub const SHIFT: &str = "shift";
+
+/// A value that was found.
+#[derive(Clone, Debug, Serialize)]
+pub struct Estimate {
+    /// The key.
+    pub key: String,
+    /// Its value, in the unit of the key.
+    pub value: f64,
+    /// Half of the interval in which it is at 95 %.
+    pub interval: f64,
+    /// Where it began.
+    pub start: f64,
+}
+
+/// What was found.
+#[derive(Clone, Debug, Serialize)]
+pub struct Fitted {
+    /// The values.
+    pub estimates: Vec<Estimate>,
+    /// Standard deviation of the residuals, by curve, in its unit.
+    pub residual: BTreeMap<String, f64>,
+    /// The model that was run.
+    pub model: String,
+    /// Number of runs.
+    pub runs: usize,
+    /// Sentences that a reader must know.
+    pub notes: Vec<String>,
+    /// Rows for each curve: time [s], measured, fitted.
+    #[serde(skip)]
+    pub curves: BTreeMap<String, Vec<[f64; 3]>>,
+}
+
+/// A value on its way: positive and negative ones keep their sign.
+#[derive(Clone, Debug)]
+struct Unknown {
+    key: String,
+    start: f64,
+    /// Unit of the shift of time [s]; `None` of a key, whose unit is e.
+    linear: Option<f64>,
+}
+
+impl Unknown {
+    fn value(&self, q: f64) -> f64 {
+        match self.linear {
+            Some(unit) => self.start + unit * q,
+            None => self.start * q.exp(),
+        }
+    }
+
+    /// dvalue/dq.
+    fn slope(&self, q: f64) -> f64 {
+        self.linear.unwrap_or_else(|| self.value(q))
+    }
+}
+
+/// Find the values of `keys` with which the scene gives the curves.
+///
+/// # Errors
+/// No curve of the scene's; a key that begins at 0; a run that fails at the start.
+pub fn fit(evaluator: &Evaluator, keys: &[String], curves: &[Curve]) -> Result<Fitted, EvaluateError> {
+    let unknowns = unknowns(evaluator, keys, curves)?;
+    let points: usize = curves.iter().map(|curve| curve.points.len()).sum();
+    if points <= unknowns.len() + 1 {
+        return Err(EvaluateError::Key(format!("{points} points for {} values: expected more", unknowns.len())));
+    }
+    let modelled = |q: &[f64]| modelled(evaluator, &unknowns, curves, q);
+    let mut weights: Vec<f64> = curves.iter().map(|curve| 1.0 / (0.03 * curve.range())).collect();
+    let mut fit = Fit { at: vec![0.0; unknowns.len()], residuals: Vec::new(), jacobian: Vec::new() };
+    for _ in 0..WEIGHINGS {
+        let weighed = |q: &[f64]| -> Option<Vec<f64>> {
+            let found = modelled(q).ok()?;
+            let pairs = curves.iter().zip(&found).zip(&weights);
+            Some(
+                pairs
+                    .flat_map(|((c, found), w)| c.points.iter().zip(found).map(move |(p, f)| w * (f - p[1])))
+                    .collect(),
+            )
+        };
+        let slopes = |q: &[f64]| -> Option<Vec<Vec<f64>>> {
+            let columns: Vec<Option<Vec<f64>>> = (0..q.len() * 2)
+                .into_par_iter()
+                .map(|j| {
+                    let mut moved = q.to_vec();
+                    moved[j / 2] += if j % 2 == 0 { STEP } else { -STEP };
+                    weighed(&moved)
+                })
+                .collect();
+            let columns = columns.into_iter().collect::<Option<Vec<_>>>()?;
+            let slope = |pair: &[Vec<f64>]| pair[0].iter().zip(&pair[1]).map(|(a, b)| (a - b) / (2.0 * STEP)).collect();
+            Some(columns.chunks(2).map(slope).collect())
+        };
+        // the first run says what is wrong
+        modelled(&fit.at)?;
+        fit = minimise(&fit.at, weighed, slopes)
+            .ok_or_else(|| EvaluateError::Key("runs fail next to the values of the start".into()))?;
+        weights = scatter(curves, &fit, &weights, unknowns.len());
+    }
+    let found = modelled(&fit.at)?;
+    let correlation = neighbours(curves, &found);
+    let estimates = estimates(&unknowns, &fit, points, correlation);
+    let model = evaluator.load(&[])?.scene.model.name().to_string();
+    Ok(Fitted {
+        notes: notes(&unknowns, &fit, &estimates, correlation),
+        residual: curves.iter().zip(&weights).map(|(curve, weight)| (curve.column.clone(), 1.0 / weight)).collect(),
+        curves: curves.iter().zip(&found).map(|(curve, found)| (curve.column.clone(), rows(curve, found))).collect(),
+        model,
+        runs: evaluator.count(),
+        estimates,
+    })
+}
+
+fn rows(curve: &Curve, found: &[f64]) -> Vec<[f64; 3]> {
+    curve.points.iter().zip(found).map(|([time, measured], found)| [*time, *measured, *found]).collect()
+}
+
+fn unknowns(evaluator: &Evaluator, keys: &[String], curves: &[Curve]) -> Result<Vec<Unknown>, EvaluateError> {
+    let last = curves.iter().flat_map(|curve| curve.points.iter().map(|p| p[0])).fold(0.0, f64::max);
+    keys.iter()
+        .map(|given| {
+            if given == SHIFT {
+                return Ok(Unknown { key: SHIFT.into(), start: 0.0, linear: Some(0.1 * last) });
+            }
+            let key = evaluator.key(given)?;
+            let start = evaluator.value(&key)?;
+            if start == 0.0 {
+                return Err(EvaluateError::Key(format!("{given}: 0 in the scene: expected a start that is not 0")));
+            }
+            Ok(Unknown { key, start, linear: None })
+        })
+        .collect()
+}
+
+/// The curves of the scene at the data's times.
+fn modelled(
+    evaluator: &Evaluator,
+    unknowns: &[Unknown],
+    curves: &[Curve],
+    q: &[f64],
+) -> Result<Vec<Vec<f64>>, EvaluateError> {
+    let pairs = || unknowns.iter().zip(q);
+    let keys = pairs().filter(|(unknown, _)| unknown.linear.is_none());
+    let values: Vec<(&str, f64)> = keys.map(|(unknown, q)| (unknown.key.as_str(), unknown.value(*q))).collect();
+    let shift: f64 = pairs().filter(|(u, _)| u.linear.is_some()).map(|(unknown, q)| unknown.value(*q)).sum();
+    let answer = evaluator.evaluate(&values)?;
+    if let Some(why) = &answer.message {
+        return Err(EvaluateError::Key(why.clone()));
+    }
+    let of = |curve: &Curve| {
+        let Some(at) = answer.curve(&curve.column) else {
+            let known = answer.columns[1..].join(", ");
+            return Err(EvaluateError::Key(format!("no column `{}`: expected one of: {known}", curve.column)));
+        };
+        Ok(curve.points.iter().map(|[time, _]| at(time - shift)).collect())
+    };
+    curves.iter().map(of).collect()
+}
+
+/// Weights of the curves from their residuals: 1 over the standard deviation.
+fn scatter(curves: &[Curve], fit: &Fit, weights: &[f64], unknowns: usize) -> Vec<f64> {
+    let points: usize = curves.iter().map(|curve| curve.points.len()).sum();
+    let free = (points - unknowns) as f64 / points as f64;
+    let mut rest = &fit.residuals[..];
+    let of = |(curve, weight): (&Curve, &f64)| {
+        let (own, others) = rest.split_at(curve.points.len());
+        rest = others;
+        let square = own.iter().map(|r| r * r).sum::<f64>() / (own.len() as f64 * free);
+        weight / square.sqrt().max(1e-9)
+    };
+    curves.iter().zip(weights).map(of).collect()
+}
+
+/// Correlation of neighbouring residuals, over all curves [-].
+fn neighbours(curves: &[Curve], found: &[Vec<f64>]) -> f64 {
+    let mut sums = [0.0; 2];
+    for (curve, found) in curves.iter().zip(found) {
+        let scale = curve.range();
+        let r: Vec<f64> = curve.points.iter().zip(found).map(|(p, f)| (f - p[1]) / scale).collect();
+        sums[0] += r.windows(2).map(|r| r[0] * r[1]).sum::<f64>();
+        sums[1] += r.iter().map(|r| r * r).sum::<f64>();
+    }
+    if sums[1] > 0.0 { sums[0] / sums[1] } else { 0.0 }
+}
+
+/// Intervals of Student's distribution; residuals that are alike count as fewer.
+fn estimates(unknowns: &[Unknown], fit: &Fit, points: usize, correlation: f64) -> Vec<Estimate> {
+    let spread = fit.covariance();
+    let alike = correlation.clamp(0.0, 0.99);
+    let wider = ((1.0 + alike) / (1.0 - alike)).sqrt();
+    let free = ((points as f64 / (wider * wider)) - unknowns.len() as f64).max(1.0);
+    let quantile = StudentsT::new(0.0, 1.0, free).map_or(1.96, |t| t.inverse_cdf(0.975));
+    let scale = (fit.square() / (points - unknowns.len()) as f64).sqrt();
+    let of = |(k, unknown): (usize, &Unknown)| {
+        let sigma = spread.get(k).map_or(f64::INFINITY, |row| row[k].sqrt());
+        Estimate {
+            key: unknown.key.clone(),
+            value: unknown.value(fit.at[k]),
+            interval: quantile * wider * scale * sigma * unknown.slope(fit.at[k]).abs(),
+            start: unknown.start,
+        }
+    };
+    unknowns.iter().enumerate().map(of).collect()
+}
+
+fn notes(unknowns: &[Unknown], fit: &Fit, estimates: &[Estimate], correlation: f64) -> Vec<String> {
+    let mut notes = Vec::new();
+    for estimate in estimates.iter().filter(|e| {
+        e.key != SHIFT && e.interval.partial_cmp(&(UNKNOWN * e.value.abs())) != Some(std::cmp::Ordering::Less)
+    }) {
+        notes.push(format!("{}: these data cannot tell it: its interval is wider than half its value", estimate.key));
+    }
+    let spread = fit.covariance();
+    for i in 0..spread.len() {
+        for j in 0..i {
+            let alike = spread[i][j] / (spread[i][i] * spread[j][j]).sqrt();
+            if alike.abs() > ALIKE {
+                let (a, b) = (&unknowns[j].key, &unknowns[i].key);
+                notes.push(format!(
+                    "{a} and {b}: these data cannot tell them apart (correlation {alike:.3}): fix one of them"
+                ));
+            }
+        }
+    }
+    if correlation > OFF {
+        notes.push(format!(
+            "neighbouring residuals are alike (correlation {correlation:.2}): the model is off by more than noise; intervals are widened by it"
+        ));
+    }
+    notes
+}

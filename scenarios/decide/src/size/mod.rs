@@ -1,0 +1,190 @@
+//! The smallest value of a key with which results stay allowed, with their bands.
+//!
+//! [`Question`] says what may vary and what is allowed; [`Question::answer`] runs the scene with a cheap model inside and, where asked, with
+//! particles at the end.
+
+mod margin;
+mod search;
+
+use rayon::prelude::*;
+use scene::vocabulary::Verdict;
+use scene::{Symmetry, panel_length};
+use serde::Serialize;
+
+pub use margin::{Limit, Margin};
+use search::{Found, Search};
+
+use crate::evaluate::{EvaluateError, Evaluator};
+
+/// Values at which a range is tried first.
+const FIRST: usize = 7;
+/// Runs of particles that confirm at most.
+const CONFIRMATIONS: usize = 4;
+/// What is added to the missing part of a value after a run of particles did not confirm it [-].
+const BEYOND: f64 = 0.1;
+
+/// Values that a key may have.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Values {
+    /// All between two ends.
+    Range([f64; 2]),
+    /// Some, such as gauges of sheet that can be bought; increasing.
+    List(Vec<f64>),
+}
+
+/// What is asked.
+#[derive(Clone, Debug)]
+pub struct Question {
+    /// The key, as [`Evaluator::key`] gives it.
+    pub key: String,
+    /// Its values.
+    pub values: Values,
+    /// Factor by which limits are kept away from [-].
+    pub reserve: f64,
+    /// Limits of results, besides the allowable stresses of the scene's panels.
+    pub limits: Vec<Limit>,
+    /// Is the value confirmed by particles?
+    pub confirm: bool,
+}
+
+/// A value with its margin.
+#[derive(Clone, Debug, Serialize)]
+pub struct Trial {
+    /// Of the key.
+    pub value: f64,
+    /// The model that was run.
+    pub model: String,
+    /// The least margin of all limits.
+    #[serde(flatten)]
+    pub margin: Margin,
+    /// Mass of all panels, both sides of a section that is simulated by half [kg/m].
+    pub panel_mass_kg_per_m: f64,
+}
+
+/// What was found.
+#[derive(Clone, Debug, Serialize)]
+pub struct Sized {
+    /// The key.
+    pub key: String,
+    /// Its value: the smallest that is allowed, or the largest.
+    pub value: f64,
+    /// Is it the largest? Then smaller values are allowed and larger ones are not.
+    pub is_largest: bool,
+    /// Is the end of the range allowed, so that no limit decided?
+    pub at_end: bool,
+    /// The trial at this value.
+    pub decided: Trial,
+    /// Runs of particles at the end, the last at this value.
+    pub confirmed: Vec<Trial>,
+    /// All trials of the cheap model, by value.
+    pub trials: Vec<Trial>,
+    /// Sentences that a reader must know.
+    pub notes: Vec<String>,
+}
+
+impl Question {
+    /// Find the value: `cheap` runs the model inside, `particles` the one that confirms.
+    ///
+    /// # Errors
+    /// A value that the scene refuses; no value that is allowed; no result with a limit.
+    pub fn answer(&self, cheap: &Evaluator, particles: &Evaluator) -> Result<Sized, EvaluateError> {
+        let trial = |of: &Evaluator, value: f64| self.trial(of, value);
+        let values: Vec<f64> = match &self.values {
+            Values::List(values) => values.clone(),
+            Values::Range([from, to]) => {
+                (0..FIRST).map(|k| from + (to - from) * k as f64 / (FIRST - 1) as f64).collect()
+            }
+        };
+        let first: Result<Vec<Trial>, EvaluateError> = values.par_iter().map(|value| trial(cheap, *value)).collect();
+        let mut search = Search::of(first?);
+        let Some(mut found) = search.boundary() else {
+            let best = search.best();
+            return Err(EvaluateError::Key(format!(
+                "{}: no value from {} to {} is allowed: the best is {} with a margin of {:+.1} % ({})",
+                self.key,
+                values[0],
+                values[values.len() - 1],
+                best.value,
+                100.0 * best.margin.share,
+                best.margin.decided_by
+            )));
+        };
+        if let Values::Range(_) = self.values {
+            while let Some(next) = found.next() {
+                search.add(trial(cheap, next)?);
+                let Some(nearer) = search.boundary() else { break };
+                found = nearer;
+            }
+        }
+        let mut decided = search.at(found.allowed).clone();
+        let mut confirmed: Vec<Trial> = Vec::new();
+        let mut value = found.allowed;
+        while self.confirm && confirmed.len() < CONFIRMATIONS {
+            let run = trial(particles, value)?;
+            let margin = run.margin.share;
+            confirmed.push(run);
+            if margin >= 0.0 {
+                break;
+            }
+            let Some(next) = self.further(&search, &found, value, margin) else { break };
+            value = next;
+            decided = trial(cheap, value)?;
+        }
+        Ok(Sized {
+            notes: self.notes(&found, &decided, &confirmed, &search),
+            key: self.key.clone(),
+            value,
+            is_largest: found.is_largest,
+            at_end: found.forbidden.is_none(),
+            decided,
+            confirmed,
+            trials: search.trials,
+        })
+    }
+
+    fn trial(&self, evaluator: &Evaluator, value: f64) -> Result<Trial, EvaluateError> {
+        let values = [(self.key.as_str(), value)];
+        let answer = evaluator.evaluate(&values)?;
+        let margin = Margin::of(&answer, self.reserve, &self.limits)?;
+        let scene = evaluator.load(&values)?.scene;
+        let panels = scene.body.iter().flat_map(|body| body.panels.iter().map(move |panel| (body, panel)));
+        let mass: f64 = panels.map(|(body, p)| p.thickness * p.density * panel_length(body, p)).sum();
+        let sides = if scene.symmetry == Symmetry::X { 2.0 } else { 1.0 };
+        Ok(Trial { value, model: answer.model.into(), margin, panel_mass_kg_per_m: sides * mass })
+    }
+
+    /// The next value to confirm, after one that particles found short of a margin.
+    fn further(&self, search: &Search, found: &Found, value: f64, margin: f64) -> Option<f64> {
+        match &self.values {
+            Values::List(values) if found.is_largest => values.iter().rev().find(|next| **next < value).copied(),
+            Values::List(values) => values.iter().find(|next| **next > value).copied(),
+            Values::Range([from, to]) => {
+                let slope = search.slope(value)?;
+                let next = value - margin * (1.0 + BEYOND) / slope;
+                (*from..=*to).contains(&next).then_some(next)
+            }
+        }
+    }
+
+    fn notes(&self, found: &Found, decided: &Trial, confirmed: &[Trial], search: &Search) -> Vec<String> {
+        let mut notes = Vec::new();
+        if found.forbidden.is_none() {
+            notes.push("all values are allowed: no limit decides within the range".into());
+        }
+        if !search.is_monotone(found.is_largest) {
+            notes.push("the margin does not grow steadily with the value: see the trials".into());
+        }
+        let judged = confirmed.last().unwrap_or(decided);
+        match judged.margin.verdict {
+            Some(Verdict::Resolved) => {}
+            Some(verdict) => {
+                notes.push(format!("{}: {}: its band is not in the margin", judged.margin.decided_by, verdict.words()))
+            }
+            None => notes.push(format!("{}: not judged", judged.margin.decided_by)),
+        }
+        if confirmed.last().is_some_and(|last| last.margin.share < 0.0) {
+            notes.push("particles do not confirm it within the range".into());
+        }
+        notes
+    }
+}
