@@ -11,6 +11,7 @@ CRATES = [
     "scenarios/scene",
     "scenarios/run",
     "scenarios/report",
+    "scenarios/decide",
     "scenarios",
     "bindings/c",
     "bindings/python",

@@ -10,6 +10,7 @@ mod bench;
 mod bits;
 mod chart;
 mod converge;
+mod decisions;
 mod ditch;
 mod documents;
 mod endings;

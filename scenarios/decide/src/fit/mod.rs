@@ -18,7 +18,7 @@ use crate::evaluate::{EvaluateError, Evaluator};
 
 /// Relative step of the differences by which the curves' change with a value is found.
 const STEP: f64 = 0.02;
-/// Times that the curves' scatter is found anew.
+/// Times that the curves' scatter is found.
 const WEIGHINGS: usize = 3;
 /// Half of an interval over its value, from which the data cannot tell the value [-].
 const UNKNOWN: f64 = 0.5;
@@ -236,7 +236,7 @@ fn notes(unknowns: &[Unknown], fit: &Fit, estimates: &[Estimate], correlation: f
     for estimate in estimates.iter().filter(|e| {
         e.key != SHIFT && e.interval.partial_cmp(&(UNKNOWN * e.value.abs())) != Some(std::cmp::Ordering::Less)
     }) {
-        notes.push(format!("{}: these data cannot tell it: its interval is wider than half its value", estimate.key));
+        notes.push(format!("{}: these data do not determine it: its interval is wider than half its value", estimate.key));
     }
     let spread = fit.covariance();
     for i in 0..spread.len() {

@@ -43,9 +43,7 @@ pub fn choose(of_particles: &[Scene], want: QuantityOfInterest, within: f64) -> 
     let model = of_particles[0].model;
     let known = reason(&theories);
     let (name, within, want) = (model.name(), per_cent(within), want.words());
-    let why = format!(
-        "{name}: no model is known to be within {within} for {want}, so the scene's own particles run: {known}"
-    );
+    let why = format!("{name}: no model is known to be within {within} for {want}: {known}");
     Choice { model, scene: 0, spacing: false, why }
 }
 

@@ -47,7 +47,7 @@ const BENT_PEAK_ERROR: f64 = 0.015;
 const BENT_DROP_ERROR: f64 = 0.01;
 
 /// Deadrises of the wedges with panels that were measured [deg], and the largest half breadth of the arcs over their radius [-].
-const BENDING_FACES: [f64; 2] = [10.0, 30.0];
+const BENDING_FACES: [f64; 2] = [10.0, 35.0];
 const BENDING_ARC: f64 = 0.67;
 /// Largest differences from particles on them: largest force, largest stress, and RMS of a falling frame's speed over that at contact [-].
 const BENDING_ERROR: f64 = 0.05;

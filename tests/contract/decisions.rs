@@ -1,0 +1,139 @@
+//! `splashdown size` and `splashdown fit`: answers that are known, files, and what they refuse.
+
+use serde_json::Value;
+
+use crate::command::Workplace;
+
+fn number(of: &Value, key: &str) -> f64 {
+    of[key].as_f64().unwrap_or_else(|| panic!("no number {key} in {of}"))
+}
+
+/// Wagner (1932): F = ρ π³ V² h / (4 tan²β), largest at the end: the deadrise for a force, and the speed for it.
+#[test]
+fn a_deadrise_and_a_speed_for_a_force_are_those_of_the_formula() {
+    let place = Workplace::new();
+    let scene = ["wedge_constant", "--set", "model=wagner"];
+    let shown = place.run(&[&["run"], &scene[..], &["--out", "run", "--quiet"]].concat());
+    assert_eq!(shown.code, Some(0), "{}", shown.message);
+    let summary = place.summary("run");
+    let force = number(&summary["results"]["peak_force_N_per_m"], "value");
+    let text = place.text("run/scene.resolved.toml");
+    let deadrise = text.lines().find_map(|line| line.strip_prefix("deadrise_deg = ")).expect("a deadrise");
+    let deadrise: f64 = deadrise.parse().expect("a number");
+
+    let limit = format!("peak_force_N_per_m={}", 0.5 * force);
+    let given = ["--for", "body.deadrise_deg", "--from", "12", "--to", "44", "--limit", &limit, "--out", "deadrise"];
+    let ended = place.run(&[&["size"], &scene[..], &given[..], &["--json"]].concat());
+    assert_eq!(ended.code, Some(0), "{}", ended.message);
+    let answer: Value = serde_json::from_str(&ended.stdout).expect("JSON on stdout");
+    let exact = (2.0_f64.sqrt() * deadrise.to_radians().tan()).atan().to_degrees();
+    let (value, band) = (number(&answer, "value"), answer["decided"]["band"].as_f64().unwrap_or(0.0));
+    if band == 0.0 {
+        assert!((value / exact - 1.0).abs() < 3e-3, "{value} {exact}");
+    } else {
+        assert!(value > exact * 0.999, "a band makes the wedge steeper: {value} {exact}");
+    }
+    assert_eq!((&answer["is_largest"], &answer["decided"]["decided_by"]), (&false.into(), &"peak_force_N_per_m".into()));
+    let table = place.text("deadrise/trials.csv");
+    assert!(table.starts_with("value,model,margin,") && table.lines().count() > 7, "{table}");
+
+    let again = place.run(&[&["size"], &scene[..], &given[..]].concat());
+    assert_eq!(again.code, Some(2));
+    again.says(&["deadrise", "--force"]);
+}
+
+/// The thickness of a plate: the smallest of a list is that which a run of each value allows.
+#[test]
+fn the_smallest_gauge_is_the_first_that_is_allowed() {
+    let place = Workplace::new();
+    let fixed = ["--set", "body.panels[0].allowable_stress=180e6", "--set", "model=boundary_element"];
+    let gauges = ["0.002", "0.003", "0.004"];
+    let reserve = |thickness: &str| {
+        let set = format!("body.panels[0].thickness={thickness}");
+        let given = [&["run", "flexible_wedge"], &fixed[..], &["--set", &set, "--out", "run", "--force", "--quiet"]];
+        let ended = place.run(&given.concat());
+        assert_eq!(ended.code, Some(0), "{}", ended.message);
+        let of = place.summary("run")["results"]["panels"]["plate"]["reserve_factor"].clone();
+        number(&of, "value") - of["band"].as_f64().unwrap_or(0.0)
+    };
+    let reserves = gauges.map(reserve);
+    let wanted = 0.5 * (reserves[0] + reserves[1]);
+    assert!(reserves[0] < reserves[1], "{reserves:?}");
+    let (values, factor) = (gauges.join(","), wanted.to_string());
+    let given = ["--for", "panels.plate.thickness", "--values", &values, "--reserve", &factor, "--out", "size", "--json"];
+    let ended = place.run(&[&["size", "flexible_wedge"], &fixed[..], &given[..]].concat());
+    assert_eq!(ended.code, Some(0), "{}", ended.message);
+    let answer: Value = serde_json::from_str(&ended.stdout).expect("JSON on stdout");
+    assert_eq!(number(&answer, "value"), 0.003);
+    assert!((number(&answer["decided"], "margin") - (reserves[1] / wanted - 1.0)).abs() < 1e-9, "{answer}");
+    let mass = 2.0 * 0.003 * 2700.0 * 0.3_f64.hypot(0.109191);
+    assert!((number(&answer["decided"], "panel_mass_kg_per_m") / mass - 1.0).abs() < 1e-3, "{answer}");
+}
+
+/// Mass and speed of a drop are found from its velocity with a known error added; what the data do not determine is named.
+#[test]
+fn a_fit_finds_the_values_of_a_drop() {
+    let place = Workplace::new();
+    let drop = ["wedge", "--set", "model=mlm", "--set", "time.end=0.02"];
+    let given = ["--set", "body.mass=180", "--set", "body.velocity=[0,-5.2]", "--out", "drop", "--quiet"];
+    let ended = place.run(&[&["run"], &drop[..], &given[..]].concat());
+    assert_eq!(ended.code, Some(0), "{}", ended.message);
+    let series = place.text("drop/series.csv");
+    let mut rows = series.lines().map(|line| line.split(',').collect::<Vec<_>>());
+    let head = rows.next().expect("a head");
+    let column = head.iter().position(|name| *name == "wedge.vy_m_per_s").expect("a velocity");
+    let noise = |k: usize| 0.02 * ((7.3 * k as f64).sin() + (3.1 * (k * k) as f64).cos()); // without memory
+    let measured = rows.enumerate().filter(|(k, _)| k % 3 == 0);
+    let lines: Vec<String> = measured
+        .map(|(k, row)| format!("{},{}", row[0], row[column].parse::<f64>().expect("a number") + noise(k)))
+        .collect();
+    std::fs::write(place.path("test.csv"), format!("time_s,wedge.vy_m_per_s\n{}\n", lines.join("\n"))).expect("a file");
+
+    let keys = ["--to", "test.csv", "--for", "body.mass,body.velocity.1", "--out", "fit", "--json"];
+    let ended = place.run(&[&["fit"], &drop[..], &keys[..]].concat());
+    assert_eq!(ended.code, Some(0), "{}", ended.message);
+    let answer: Value = serde_json::from_str(&ended.stdout).expect("JSON on stdout");
+    for (k, exact) in [180.0, -5.2].into_iter().enumerate() {
+        let estimate = &answer["estimates"][k];
+        let (value, interval) = (number(estimate, "value"), number(estimate, "interval"));
+        assert!((value - exact).abs() < 2.0 * interval && interval < 0.05 * exact.abs(), "{estimate}");
+    }
+    assert!(place.text("fit/fit.html").contains("wedge.vy_m_per_s: measured less fitted"));
+    assert!(place.text("fit/curves.csv").lines().count() == lines.len() + 1);
+
+    // the height of the sides has no effect on the drop
+    let keys = ["--to", "test.csv", "--for", "body.mass,body.side_height", "--out", "unknown", "--json"];
+    let ended = place.run(&[&["fit"], &drop[..], &keys[..]].concat());
+    if ended.code == Some(0) {
+        assert!(ended.stdout.contains("these data do not determine it"), "{}", ended.stdout);
+    } else {
+        assert_eq!(ended.code, Some(2), "{}", ended.message);
+    }
+}
+
+#[test]
+fn wrong_questions_are_refused() {
+    let place = Workplace::new();
+    std::fs::write(place.path("bad.csv"), "time_s,wedge.vy_m_per_s\n0,fast\n").expect("a file");
+    std::fs::write(place.path("other.csv"), "time_s,boat.vy_m_per_s\n0,1\n0.01,2\n0.02,3\n0.03,4\n").expect("a file");
+    for (arguments, said) in [
+        (&["size", "wedge", "--set", "model=mlm", "--for", "body.deadrise_deg"][..], &["no result has a limit"][..]),
+        (&["size", "wedge", "--for", "panels.belly.thickness"], &["no panel `belly`"]),
+        (&["size", "wedge", "--for", "body.name"], &["no number there"]),
+        (&["size", "wedge", "--for", "body.mass", "--from", "3", "--to", "1"], &["--from 3 --to 1"]),
+        (&["size", "wedge", "--for", "body.mass", "--reserve", "0"], &["--reserve 0", "above 0"]),
+        (&["size", "wedge", "--for", "body.mass", "--limit", "force"], &["--limit force", "RESULT=VALUE"]),
+        (&["size", "wedge", "--for", "body.mass", "--values", "3"], &["two or more"]),
+        (&["fit", "wedge", "--to", "bad.csv", "--for", "body.mass"], &["bad.csv:2", "\"fast\"", "a number"]),
+        (&["fit", "wedge", "--to", "none.csv", "--for", "body.mass"], &["cannot read none.csv"]),
+        (
+            &["fit", "wedge", "--set", "model=mlm", "--to", "other.csv", "--for", "body.mass"],
+            &["no column `boat.vy_m_per_s`", "wedge.vy_m_per_s"],
+        ),
+        (&["fit", "wedge", "--set", "model=mlm", "--to", "other.csv", "--for", "body.velocity.0"], &["0 in the scene"]),
+    ] {
+        let ended = place.run(arguments);
+        assert_eq!(ended.code, Some(2), "{arguments:?}: {}", ended.message);
+        ended.says(said);
+    }
+}
