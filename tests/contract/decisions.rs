@@ -33,7 +33,10 @@ fn a_deadrise_and_a_speed_for_a_force_are_those_of_the_formula() {
     } else {
         assert!(value > exact * 0.999, "a band makes the wedge steeper: {value} {exact}");
     }
-    assert_eq!((&answer["is_largest"], &answer["decided"]["decided_by"]), (&false.into(), &"peak_force_N_per_m".into()));
+    assert_eq!(
+        (&answer["is_largest"], &answer["decided"]["decided_by"]),
+        (&false.into(), &"peak_force_N_per_m".into())
+    );
     let table = place.text("deadrise/trials.csv");
     assert!(table.starts_with("value,model,margin,") && table.lines().count() > 7, "{table}");
 
@@ -60,7 +63,8 @@ fn the_smallest_gauge_is_the_first_that_is_allowed() {
     let wanted = 0.5 * (reserves[0] + reserves[1]);
     assert!(reserves[0] < reserves[1], "{reserves:?}");
     let (values, factor) = (gauges.join(","), wanted.to_string());
-    let given = ["--for", "panels.plate.thickness", "--values", &values, "--reserve", &factor, "--out", "size", "--json"];
+    let given =
+        ["--for", "panels.plate.thickness", "--values", &values, "--reserve", &factor, "--out", "size", "--json"];
     let ended = place.run(&[&["size", "flexible_wedge"], &fixed[..], &given[..]].concat());
     assert_eq!(ended.code, Some(0), "{}", ended.message);
     let answer: Value = serde_json::from_str(&ended.stdout).expect("JSON on stdout");

@@ -282,7 +282,9 @@ impl Auto<'_> {
         let Choice { model, scene, spacing, why } = self.loader.models.choose(&of_particles, self.want, self.within);
         if !model.is_theory() && given.pointer(SPACING).is_none() && !spacing {
             let such_as = significant(of_particles[scene].resolution.spacing);
-            let why = format!("the finest spacing [m], such as {such_as}: no chart is near this scene that would tell it; {why}");
+            let why = format!(
+                "the finest spacing [m], such as {such_as}: no chart is near this scene that would tell it; {why}"
+            );
             return Err(Problem::missing("resolution.spacing", why));
         }
         let mut scene = of_particles.swap_remove(scene);

@@ -16,10 +16,9 @@ use least_squares::{Fit, minimise};
 
 use crate::evaluate::{EvaluateError, Evaluator};
 
-/// Relative step of the differences by which the curves' change with a value is found.
-const STEP: f64 = 0.02;
-/// Times that the curves' scatter is found.
-const WEIGHINGS: usize = 3;
+/// Relative steps of the differences by which the curves' change with a value is found, each with the scatter of the fit before it: peaks of
+/// accelerations bend within the first.
+const STEPS: [f64; 3] = [0.02, 0.005, 0.005];
 /// Half of an interval over its value, from which the data cannot tell the value [-].
 const UNKNOWN: f64 = 0.5;
 /// Correlation of two values, from which the data cannot tell them apart [-].
@@ -96,7 +95,7 @@ pub fn fit(evaluator: &Evaluator, keys: &[String], curves: &[Curve]) -> Result<F
     let modelled = |q: &[f64]| modelled(evaluator, &unknowns, curves, q);
     let mut weights: Vec<f64> = curves.iter().map(|curve| 1.0 / (0.03 * curve.range())).collect();
     let mut fit = Fit { at: vec![0.0; unknowns.len()], residuals: Vec::new(), jacobian: Vec::new() };
-    for _ in 0..WEIGHINGS {
+    for step in STEPS {
         let weighed = |q: &[f64]| -> Option<Vec<f64>> {
             let found = modelled(q).ok()?;
             let pairs = curves.iter().zip(&found).zip(&weights);
@@ -111,12 +110,12 @@ pub fn fit(evaluator: &Evaluator, keys: &[String], curves: &[Curve]) -> Result<F
                 .into_par_iter()
                 .map(|j| {
                     let mut moved = q.to_vec();
-                    moved[j / 2] += if j % 2 == 0 { STEP } else { -STEP };
+                    moved[j / 2] += if j % 2 == 0 { step } else { -step };
                     weighed(&moved)
                 })
                 .collect();
             let columns = columns.into_iter().collect::<Option<Vec<_>>>()?;
-            let slope = |pair: &[Vec<f64>]| pair[0].iter().zip(&pair[1]).map(|(a, b)| (a - b) / (2.0 * STEP)).collect();
+            let slope = |pair: &[Vec<f64>]| pair[0].iter().zip(&pair[1]).map(|(a, b)| (a - b) / (2.0 * step)).collect();
             Some(columns.chunks(2).map(slope).collect())
         };
         // the first run says what is wrong
@@ -236,7 +235,10 @@ fn notes(unknowns: &[Unknown], fit: &Fit, estimates: &[Estimate], correlation: f
     for estimate in estimates.iter().filter(|e| {
         e.key != SHIFT && e.interval.partial_cmp(&(UNKNOWN * e.value.abs())) != Some(std::cmp::Ordering::Less)
     }) {
-        notes.push(format!("{}: these data do not determine it: its interval is wider than half its value", estimate.key));
+        notes.push(format!(
+            "{}: these data do not determine it: its interval is wider than half its value",
+            estimate.key
+        ));
     }
     let spread = fit.covariance();
     for i in 0..spread.len() {
