@@ -59,6 +59,23 @@ impl Answer {
     }
 }
 
+/// Run a scene.
+fn answer(loaded: &Loaded) -> Result<Answer, EvaluateError> {
+    let start = Instant::now();
+    let options = RunOptions { without_log: true, warnings: loaded.warnings.clone(), ..RunOptions::default() };
+    let outcome = run::run(&loaded.scene, &options)?;
+    let summary = serde_json::to_value(&outcome.summary).unwrap_or_default();
+    Ok(Answer {
+        model: outcome.summary.model,
+        status: outcome.summary.status,
+        message: outcome.summary.message.clone(),
+        numbers: usual(&summary).into_iter().collect(),
+        columns: outcome.series.columns().to_vec(),
+        rows: outcome.series.rows().to_vec(),
+        seconds: start.elapsed().as_secs_f64(),
+    })
+}
+
 /// A scene, and the answers so far.
 pub struct Evaluator {
     scene: String,
@@ -86,7 +103,11 @@ impl Evaluator {
     /// # Errors
     /// A value that the scene refuses.
     pub fn load(&self, values: &[(&str, f64)]) -> Result<Loaded, EvaluateError> {
-        let given = values.iter().map(|(key, value)| format!("{key}={value:?}"));
+        // a whole number stands for both kinds
+        let given = values.iter().map(|(key, value)| match value.fract() == 0.0 && value.abs() < 1e15 {
+            true => format!("{key}={value:.0}"),
+            false => format!("{key}={value:?}"),
+        });
         Ok(run::load(&self.scene, &self.sets.iter().cloned().chain(given).collect::<Vec<_>>())?)
     }
 
@@ -101,21 +122,17 @@ impl Evaluator {
         if let Some(answer) = known().get(&scene) {
             return Ok(Arc::clone(answer));
         }
-        let start = Instant::now();
-        let options = RunOptions { without_log: true, warnings: loaded.warnings.clone(), ..RunOptions::default() };
-        let outcome = run::run(&loaded.scene, &options)?;
-        let summary = serde_json::to_value(&outcome.summary).unwrap_or_default();
-        let answer = Arc::new(Answer {
-            model: outcome.summary.model,
-            status: outcome.summary.status,
-            message: outcome.summary.message.clone(),
-            numbers: usual(&summary).into_iter().collect(),
-            columns: outcome.series.columns().to_vec(),
-            rows: outcome.series.rows().to_vec(),
-            seconds: start.elapsed().as_secs_f64(),
-        });
+        let answer = Arc::new(answer(&loaded)?);
         known().insert(scene, Arc::clone(&answer));
         Ok(answer)
+    }
+
+    /// The same, and the answer is not kept.
+    ///
+    /// # Errors
+    /// As [`Evaluator::evaluate`].
+    pub fn evaluate_once(&self, values: &[(&str, f64)]) -> Result<Answer, EvaluateError> {
+        answer(&self.load(values)?)
     }
 
     /// Number of answers so far.

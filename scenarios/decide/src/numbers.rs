@@ -1,10 +1,11 @@
 //! Numbers of a `summary.json`: a value, its band, and what may be said of it.
 
 use scene::vocabulary::{Status, Verdict};
+use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 /// A number of a summary.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Number {
     /// The value, in the unit of its name.
     pub value: f64,

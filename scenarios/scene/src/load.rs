@@ -210,7 +210,7 @@ fn next_that_holds(scene: &Scene, named: EntryModel, models: &dyn Models) -> Ent
     let more_detailed = EntryModel::ALL.into_iter().filter(|model| *model > scene.model);
     std::iter::once(named)
         .chain(more_detailed)
-        .filter(|model| model.is_theory())
+        .filter(|model| model.is_theory() && *model != scene.model)
         .find(holds)
         .unwrap_or(EntryModel::Wcsph)
 }

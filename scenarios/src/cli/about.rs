@@ -84,6 +84,20 @@ pub(super) struct CheckArgs {
     picture: Option<PathBuf>,
 }
 
+#[derive(Args)]
+pub(super) struct ExplainArgs {
+    #[command(flatten)]
+    scene: SceneArgs,
+}
+
+/// `splashdown explain`.
+pub(super) fn explain(output: &Output, args: &ExplainArgs) -> Result<u8, Stop> {
+    let loaded = load(&args.scene)?;
+    let text = crate::explain::explain(&loaded.scene, &preflight(&loaded.scene, &loaded.warnings));
+    output.result(&serde_json::json!({"scene": loaded.scene.name, "text": text}), &text);
+    Ok(DONE)
+}
+
 pub(super) fn check(output: &Output, args: &CheckArgs) -> Result<u8, Stop> {
     if let Some(path) =
         args.picture.as_ref().filter(|path| path.extension().is_none_or(|ending| !ending.eq_ignore_ascii_case("svg")))

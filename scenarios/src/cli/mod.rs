@@ -13,6 +13,7 @@ mod progress;
 mod report;
 mod resume;
 mod run;
+mod scatter;
 mod shared;
 mod size;
 mod sweep;
@@ -64,6 +65,8 @@ enum Command {
     Resume(resume::ResumeArgs),
     /// Print what a run would cost and its known limits, without running it.
     Check(about::CheckArgs),
+    /// Say in plain words what a scene is, what is modelled and what not, and what the answer will be worth.
+    Explain(about::ExplainArgs),
     /// Run a scene at several spacings and sound speeds and extrapolate a number.
     Study(convergence::StudyArgs),
     /// Chart error against cost, for numbers whose value is known.
@@ -78,6 +81,8 @@ enum Command {
     Size(size::SizeArgs),
     /// Find the values of keys with which a scene gives measured curves.
     Fit(fit::FitArgs),
+    /// Run a scene with inputs that scatter: quantiles of its results, and which input matters.
+    Scatter(scatter::ScatterArgs),
     /// Land an aeroplane on water by its sections (2D+t).
     Ditch(ditch::DitchArgs),
     /// Compute the steady load of a hull that planes, as in a towing tank.
@@ -198,6 +203,7 @@ fn start(cli: &Cli, program: &[OsString]) -> Result<u8, Stop> {
         Command::New(args) => about::new_scene(output, args),
         Command::Run(args) => run::run_scene(output, args),
         Command::Resume(args) => resume::resume_run(output, args),
+        Command::Explain(args) => about::explain(output, args),
         Command::Check(args) => about::check(output, args),
         Command::Study(args) => convergence::run_study(output, args),
         Command::Chart(args) => work_precision::run_charts(output, args),
@@ -205,6 +211,7 @@ fn start(cli: &Cli, program: &[OsString]) -> Result<u8, Stop> {
         Command::Sweep(args) => sweep::run_sweep(output, args, cli.threads, program),
         Command::Size(args) => size::run_size(output, args),
         Command::Fit(args) => fit::run_fit(output, args),
+        Command::Scatter(args) => scatter::run_scatter(output, args),
         Command::Ditch(args) => ditch::run_ditch(output, args),
         Command::Plane(args) => plane::run_plane(output, args),
         Command::Bench(args) => bench::run_bench(output, args),

@@ -6,8 +6,8 @@ use settings::Problem;
 use toml::Value;
 
 use super::keys::{HypercubeKeys, refused};
-use super::latin_hypercube::latin_hypercube;
 use crate::axis::{MOST_POINTS, Values};
+use decide::latin_hypercube::latin_hypercube;
 
 /// Longest value that a message shows [characters].
 const LONGEST_SHOWN: usize = 60;

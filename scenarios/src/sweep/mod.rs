@@ -21,7 +21,6 @@ mod file;
 mod folder;
 mod heat_map;
 mod keys;
-mod latin_hypercube;
 mod outputs;
 mod page;
 mod plan;

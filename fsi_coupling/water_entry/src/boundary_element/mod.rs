@@ -62,7 +62,7 @@ const INSIDE: f64 = 0.05;
 
 /// The flow cannot be followed further.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-#[error("the flow about the body ended at a draught of {draught} m, where its downward speed became {speed} m/s")]
+#[error("the flow about the body ended at a draught of {draught:.4} m and a downward speed of {speed:.4} m/s")]
 pub struct FlowEnded {
     /// Draught of the keel [m].
     pub draught: f64,

@@ -40,13 +40,13 @@ impl Curve {
     }
 }
 
-/// The curves of a file: `time_s` and columns named as in `series.csv`; empty cells have no value, lines with # are remarks.
+/// The curves of a file: `time_s` and columns named as in `series.csv`; empty cells have no value, lines with # are remarks. Rows in any order.
 ///
 /// # Errors
 /// A file that cannot be read, without `time_s` or curves, or with a cell that is no number.
 pub fn read(path: &Path) -> Result<Vec<Curve>, DataError> {
     let text = std::fs::read_to_string(path).map_err(|error| DataError::Read(path.display().to_string(), error))?;
-    parse(&path.display().to_string(), &text)
+    parse(&path.display().to_string(), text.trim_start_matches('\u{feff}'))
 }
 
 fn parse(file: &str, text: &str) -> Result<Vec<Curve>, DataError> {
@@ -83,6 +83,7 @@ fn parse(file: &str, text: &str) -> Result<Vec<Curve>, DataError> {
         }
     }
     curves.retain(|curve| !curve.points.is_empty());
+    curves.iter_mut().for_each(|curve| curve.points.sort_by(|a, b| a[0].total_cmp(&b[0])));
     if curves.is_empty() {
         return Err(wrong(line, head.into(), "a curve besides time_s, with values"));
     }
@@ -95,7 +96,7 @@ mod tests {
 
     #[test]
     fn curves_of_a_file() {
-        let curves = parse("t.csv", "# test 3\ntime_s, a.vy_m_per_s,b\n0,-4,\n1e-3,-3.5,2\n").expect("curves");
+        let curves = parse("t.csv", "# test 3\ntime_s, a.vy_m_per_s,b\n1e-3,-3.5,2\n0,-4,\n").expect("curves");
         assert_eq!(curves[0], Curve { column: "a.vy_m_per_s".into(), points: vec![[0.0, -4.0], [1e-3, -3.5]] });
         assert_eq!((curves[1].points.as_slice(), curves[0].range(), curves[1].range()), (&[[1e-3, 2.0]][..], 0.5, 2.0));
         for (text, said) in [

@@ -14,6 +14,8 @@ const STEPS: usize = 40;
 /// Change of all values at which the search ends, and of the sum of squares [-].
 const NEAR: f64 = 1e-5;
 const FLAT: f64 = 1e-7;
+/// Influence of a value on the residuals, squared and over the largest, below which there is none [-].
+const WITHOUT: f64 = 1e-10;
 /// Largest change of a value per step.
 const LONGEST: f64 = 0.5;
 
@@ -34,11 +36,21 @@ impl Fit {
         self.residuals.iter().map(|r| r * r).sum()
     }
 
-    /// (JᵀJ)⁻¹; empty where the residuals do not depend on the values.
+    /// (JᵀJ)⁻¹ of the values on which the residuals depend; infinite for the others.
     pub fn covariance(&self) -> Vec<Vec<f64>> {
-        let n = self.at.len();
-        let inverse = normal(&self.jacobian).try_inverse();
-        inverse.map_or_else(Vec::new, |m| (0..n).map(|i| (0..n).map(|j| m[(i, j)]).collect()).collect())
+        let (n, normal) = (self.at.len(), normal(&self.jacobian));
+        let largest = normal.diagonal().max();
+        let known: Vec<usize> = (0..n).filter(|k| normal[(*k, *k)] > WITHOUT * largest).collect();
+        let inverse = normal.select_rows(&known).select_columns(&known).try_inverse();
+        let mut found = vec![vec![0.0; n]; n];
+        (0..n).for_each(|k| found[k][k] = f64::INFINITY);
+        let Some(inverse) = inverse else { return found };
+        for (i, row) in known.iter().enumerate() {
+            for (j, column) in known.iter().enumerate() {
+                found[*row][*column] = inverse[(i, j)];
+            }
+        }
+        found
     }
 }
 

@@ -87,6 +87,11 @@ impl Unknown {
 /// # Errors
 /// No curve of the scene's; a key that begins at 0; a run that fails at the start.
 pub fn fit(evaluator: &Evaluator, keys: &[String], curves: &[Curve]) -> Result<Fitted, EvaluateError> {
+    if let Some(twice) = keys.iter().enumerate().find_map(|(k, key)| keys[..k].contains(key).then_some(key)) {
+        return Err(EvaluateError::Key(format!("{twice} stands twice: expected each key once")));
+    }
+    let given: usize = curves.iter().map(|curve| curve.points.len()).sum();
+    let curves = &within_run(evaluator, keys, curves)?;
     let unknowns = unknowns(evaluator, keys, curves)?;
     let points: usize = curves.iter().map(|curve| curve.points.len()).sum();
     if points <= unknowns.len() + 1 {
@@ -129,13 +134,29 @@ pub fn fit(evaluator: &Evaluator, keys: &[String], curves: &[Curve]) -> Result<F
     let estimates = estimates(&unknowns, &fit, points, correlation);
     let model = evaluator.load(&[])?.scene.model.name().to_string();
     Ok(Fitted {
-        notes: notes(&unknowns, &fit, &estimates, correlation),
+        notes: notes(&unknowns, &fit, &estimates, correlation, given - points),
         residual: curves.iter().zip(&weights).map(|(curve, weight)| (curve.column.clone(), 1.0 / weight)).collect(),
         curves: curves.iter().zip(&found).map(|(curve, found)| (curve.column.clone(), rows(curve, found))).collect(),
         model,
         runs: evaluator.count(),
         estimates,
     })
+}
+
+/// The points in the time of the scene's run; with a shift, half of that to either side.
+fn within_run(evaluator: &Evaluator, keys: &[String], curves: &[Curve]) -> Result<Vec<Curve>, EvaluateError> {
+    let answer = evaluator.evaluate(&[])?;
+    let [first, last] = [answer.rows.first(), answer.rows.last()].map(|row| row.map_or(0.0, |row| row[0]));
+    let slack = if keys.iter().any(|key| key == SHIFT) { 0.5 * (last - first) } else { 1e-9 * last };
+    let mut kept = curves.to_vec();
+    for curve in &mut kept {
+        curve.points.retain(|[time, _]| (first - slack..=last + slack).contains(time));
+    }
+    kept.retain(|curve| !curve.points.is_empty());
+    if kept.is_empty() {
+        return Err(EvaluateError::Key(format!("no point of the data is in the time of the run, {first} to {last} s")));
+    }
+    Ok(kept)
 }
 
 fn rows(curve: &Curve, found: &[f64]) -> Vec<[f64; 3]> {
@@ -219,7 +240,7 @@ fn estimates(unknowns: &[Unknown], fit: &Fit, points: usize, correlation: f64) -
     let quantile = StudentsT::new(0.0, 1.0, free).map_or(1.96, |t| t.inverse_cdf(0.975));
     let scale = (fit.square() / (points - unknowns.len()) as f64).sqrt();
     let of = |(k, unknown): (usize, &Unknown)| {
-        let sigma = spread.get(k).map_or(f64::INFINITY, |row| row[k].sqrt());
+        let sigma = spread[k][k].sqrt();
         Estimate {
             key: unknown.key.clone(),
             value: unknown.value(fit.at[k]),
@@ -230,8 +251,11 @@ fn estimates(unknowns: &[Unknown], fit: &Fit, points: usize, correlation: f64) -
     unknowns.iter().enumerate().map(of).collect()
 }
 
-fn notes(unknowns: &[Unknown], fit: &Fit, estimates: &[Estimate], correlation: f64) -> Vec<String> {
+fn notes(unknowns: &[Unknown], fit: &Fit, estimates: &[Estimate], correlation: f64, outside: usize) -> Vec<String> {
     let mut notes = Vec::new();
+    if outside > 0 {
+        notes.push(format!("{outside} points are outside the time of the run and are left out"));
+    }
     for estimate in estimates.iter().filter(|e| {
         e.key != SHIFT && e.interval.partial_cmp(&(UNKNOWN * e.value.abs())) != Some(std::cmp::Ordering::Less)
     }) {

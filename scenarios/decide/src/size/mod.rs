@@ -7,7 +7,7 @@ mod margin;
 mod search;
 
 use rayon::prelude::*;
-use scene::vocabulary::Verdict;
+use scene::vocabulary::{Status, Verdict};
 use scene::{Symmetry, panel_length};
 use serde::Serialize;
 
@@ -18,6 +18,8 @@ use crate::evaluate::{EvaluateError, Evaluator};
 
 /// Values at which a range is tried first.
 const FIRST: usize = 7;
+/// Change of the margin over all values below which they have no influence [-].
+const WITHOUT: f64 = 1e-6;
 /// Runs of particles that confirm at most.
 const CONFIRMATIONS: usize = 4;
 /// What is added to the missing part of a value after a run of particles did not confirm it [-].
@@ -61,6 +63,13 @@ pub struct Trial {
     pub panel_mass_kg_per_m: f64,
 }
 
+/// A value that cannot be run.
+#[derive(Clone, Debug)]
+struct Untried {
+    value: f64,
+    why: String,
+}
+
 /// What was found.
 #[derive(Clone, Debug, Serialize)]
 pub struct Sized {
@@ -95,8 +104,22 @@ impl Question {
                 (0..FIRST).map(|k| from + (to - from) * k as f64 / (FIRST - 1) as f64).collect()
             }
         };
-        let first: Result<Vec<Trial>, EvaluateError> = values.par_iter().map(|value| trial(cheap, *value)).collect();
-        let mut search = Search::of(first?);
+        let first: Result<Vec<_>, EvaluateError> = values.par_iter().map(|value| trial(cheap, *value)).collect();
+        let (tried, mut untried) = (Vec::new(), Vec::new());
+        let tried = first?.into_iter().fold(tried, |mut tried, one| {
+            match one {
+                Ok(trial) => tried.push(trial),
+                Err(failed) => untried.push(failed),
+            }
+            tried
+        });
+        if let (true, Some(first)) = (tried.is_empty(), untried.first()) {
+            return Err(EvaluateError::Key(format!(
+                "{}: no value can be run; {}: {}",
+                self.key, first.value, first.why
+            )));
+        }
+        let mut search = Search::of(tried);
         let Some(mut found) = search.boundary() else {
             let best = search.best();
             return Err(EvaluateError::Key(format!(
@@ -111,7 +134,13 @@ impl Question {
         };
         if let Values::Range(_) = self.values {
             while let Some(next) = found.next() {
-                search.add(trial(cheap, next)?);
+                match trial(cheap, next)? {
+                    Ok(one) => search.add(one),
+                    Err(failed) => {
+                        untried.push(failed);
+                        break;
+                    }
+                }
                 let Some(nearer) = search.boundary() else { break };
                 found = nearer;
             }
@@ -120,7 +149,12 @@ impl Question {
         let mut confirmed: Vec<Trial> = Vec::new();
         let mut value = found.allowed;
         while self.confirm && confirmed.len() < CONFIRMATIONS {
-            let run = trial(particles, value)?;
+            let run = match trial(particles, value)? {
+                Ok(run) => run,
+                Err(failed) => {
+                    return Err(EvaluateError::Key(format!("{} = {value} by particles: {}", self.key, failed.why)));
+                }
+            };
             let margin = run.margin.share;
             confirmed.push(run);
             if margin >= 0.0 {
@@ -128,10 +162,12 @@ impl Question {
             }
             let Some(next) = self.further(&search, &found, value, margin) else { break };
             value = next;
-            decided = trial(cheap, value)?;
+            if let Ok(one) = trial(cheap, value)? {
+                decided = one;
+            }
         }
         Ok(Sized {
-            notes: self.notes(&found, &decided, &confirmed, &search),
+            notes: self.notes(&found, &decided, &confirmed, &search, &untried),
             key: self.key.clone(),
             value,
             is_largest: found.is_largest,
@@ -142,15 +178,21 @@ impl Question {
         })
     }
 
-    fn trial(&self, evaluator: &Evaluator, value: f64) -> Result<Trial, EvaluateError> {
+    fn trial(&self, evaluator: &Evaluator, value: f64) -> Result<Result<Trial, Untried>, EvaluateError> {
         let values = [(self.key.as_str(), value)];
-        let answer = evaluator.evaluate(&values)?;
+        let (answer, scene) = match (evaluator.evaluate(&values), evaluator.load(&values)) {
+            (Ok(answer), Ok(loaded)) => (answer, loaded.scene),
+            (Err(error), _) | (_, Err(error)) => return Ok(Err(Untried { value, why: error.to_string() })),
+        };
+        if answer.status == Status::Failed {
+            return Ok(Err(Untried { value, why: answer.message.clone().unwrap_or_default() }));
+        }
         let margin = Margin::of(&answer, self.reserve, &self.limits)?;
-        let scene = evaluator.load(&values)?.scene;
         let panels = scene.body.iter().flat_map(|body| body.panels.iter().map(move |panel| (body, panel)));
         let mass: f64 = panels.map(|(body, p)| p.thickness * p.density * panel_length(body, p)).sum();
         let sides = if scene.symmetry == Symmetry::X { 2.0 } else { 1.0 };
-        Ok(Trial { value, model: answer.model.into(), margin, panel_mass_kg_per_m: sides * mass })
+        let model = answer.model.into();
+        Ok(Ok(Trial { value, model, margin, panel_mass_kg_per_m: sides * mass.abs() }))
     }
 
     /// The next value to confirm, after one that particles found short of a margin.
@@ -166,8 +208,26 @@ impl Question {
         }
     }
 
-    fn notes(&self, found: &Found, decided: &Trial, confirmed: &[Trial], search: &Search) -> Vec<String> {
-        let mut notes = Vec::new();
+    fn notes(
+        &self,
+        found: &Found,
+        decided: &Trial,
+        confirmed: &[Trial],
+        search: &Search,
+        untried: &[Untried],
+    ) -> Vec<String> {
+        let cannot = |one: &Untried| format!("{} cannot be run and is left out: {}", one.value, one.why);
+        let mut notes: Vec<String> = untried.iter().map(cannot).collect();
+        let is_mean = |trial: &Trial| {
+            ["peak_force", "peak_acceleration"].iter().any(|name| trial.margin.decided_by.starts_with(name))
+        };
+        if confirmed.iter().any(is_mean) {
+            notes.push("particles quote means of forces and accelerations, theories do not without report.bandwidth: give both the same".into());
+        }
+        let margins = || search.trials.iter().map(|trial| trial.margin.share);
+        if margins().fold(f64::NEG_INFINITY, f64::max) - margins().fold(f64::INFINITY, f64::min) < WITHOUT {
+            notes.push("the value has no influence on what decides".into());
+        }
         if found.forbidden.is_none() {
             notes.push("all values are allowed: no limit decides within the range".into());
         }

@@ -16,6 +16,12 @@ use crate::panel::PanelResult;
 
 /// Instants before the flow begins.
 const BEFORE: usize = 200;
+/// Steps in a row of which all but one turn the force, by more than a share of the largest so far: a step that is too long for the panel, or
+/// elements that are too short [-].
+const CHATTER: usize = 8;
+const CHATTERS: f64 = 0.05;
+/// Share of the largest force that suction takes off, from which air comes in [-].
+const SUCTION: f64 = 0.05;
 
 /// A body followed step by step.
 #[derive(Clone, Debug)]
@@ -29,6 +35,8 @@ pub(super) struct BendingFlow {
     density: f64,
     gravity: f64,
     pressures: Vec<BottomPressure>,
+    /// When suction first takes a share off the force from which air comes in [s], and the largest share [-].
+    pub suction: Option<[f64; 2]>,
     /// Extremes of its panels over all steps.
     pub panels: BTreeMap<String, PanelResult>,
     /// Largest stress of each.
@@ -93,6 +101,7 @@ impl BendingFlow {
             density,
             gravity,
             pressures: Vec::new(),
+            suction: None,
             panels: BTreeMap::new(),
             stresses: Vec::new(),
         };
@@ -113,6 +122,13 @@ impl BendingFlow {
                 let BottomPressure { time, places } = entry.pressure().clone();
                 found.pressures.push(BottomPressure { time: time + start, places });
             }
+            if chatters(&found.forces) {
+                let at = significant(before);
+                over = Some(refuse(format!(
+                    "one whose panels are too soft or light, the force on which turns in every step from t = {at} s on"
+                )));
+                break;
+            }
             let risen = step.now.speed <= 0.0;
             found.steps.push(step);
             if risen {
@@ -123,6 +139,7 @@ impl BendingFlow {
                 break;
             }
         }
+        found.suction = suction(&found.forces, &found.pressures);
         let panels = entry.body().panels();
         found.panels = panels.iter().map(|panel| (panel.name.clone(), PanelResult::from(panel))).collect();
         found.stresses = panels.iter().map(StressPeak::from).collect();
@@ -202,6 +219,27 @@ impl Step {
         };
         Step { now, columns: columns_of(entry.body()) }
     }
+}
+
+/// Does the force turn in every step?
+fn chatters(forces: &[[f64; 2]]) -> bool {
+    let Some(late) = forces.len().checked_sub(CHATTER + 1).map(|first| &forces[first..]) else { return false };
+    let largest = forces.iter().map(|force| force[1].abs()).fold(0.0, f64::max);
+    let changes: Vec<f64> = late.windows(2).map(|pair| pair[1][1] - pair[0][1]).collect();
+    let turns = changes.windows(2).filter(|pair| pair[0] * pair[1] < 0.0).count();
+    let mean = changes.iter().map(|change| change.abs()).sum::<f64>() / CHATTER as f64;
+    turns + 2 >= CHATTER && mean > CHATTERS * largest
+}
+
+/// When suction on the bottom first takes off a share of the largest force from which air comes in, and the largest share.
+fn suction(forces: &[[f64; 2]], pressures: &[BottomPressure]) -> Option<[f64; 2]> {
+    let largest = forces.iter().map(|force| force[1]).fold(f64::MIN_POSITIVE, f64::max);
+    let below = |places: &[[f64; 2]]| -> f64 {
+        places.windows(2).map(|pair| -(pair[0][1] + pair[1][1]).min(0.0) * (pair[0][0] - pair[1][0])).sum()
+    };
+    let shares = pressures.iter().map(|pressure| [pressure.time, below(&pressure.places) / largest]);
+    let beyond: Vec<[f64; 2]> = shares.filter(|share| share[1] > SUCTION).collect();
+    Some([beyond.first()?[0], beyond.iter().map(|share| share[1]).fold(0.0, f64::max)])
 }
 
 /// Values of the columns of a body's panels and modes.

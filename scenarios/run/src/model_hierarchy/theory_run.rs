@@ -207,7 +207,38 @@ fn with_panels(mut results: Results, scene: &Scene, theory: &Theory) -> (Results
         doubts.extend(reasons.into_iter().map(|why| Doubt::about(&peak.name, why)));
         results.panels.insert(peak.name.clone(), of_panel);
     }
+    let Some(flow) = theory.bending_flow() else { return (results, doubts) };
+    if let Some([from, share]) = flow.suction {
+        let (since, share) = (significant(from), significant(100.0 * share));
+        let why =
+            format!("from t = {since} s on suction takes up to {share} % of the largest force off: air would come in");
+        let later = |quantity: &Quantity| quantity.time_s.is_none_or(|time| time >= from);
+        for (name, quantity) in results.body.iter_mut().filter(|(_, quantity)| later(quantity)) {
+            quantity.verdict = Verdict::NotResolved;
+            doubts.extend([Doubt::about(name.name(), why.clone())]);
+        }
+        doubts.extend(unresolved(&mut results, later, &why));
+    }
+    let end = AT_END * theory.instants.last().map_or(f64::INFINITY, |now| now.time);
+    let why = "the largest stress comes at the end of the run and may go on growing: a later time.end would show it";
+    doubts.extend(unresolved(&mut results, |quantity| quantity.time_s.is_some_and(|time| time >= end), why));
     (results, doubts)
+}
+
+/// Share of the run after which a largest stress may go on growing [-].
+const AT_END: f64 = 0.995;
+
+/// Results of panels that are not resolved, and a doubt about each panel.
+fn unresolved(results: &mut Results, is: impl Fn(&Quantity) -> bool, why: &str) -> Vec<Doubt> {
+    let mut doubts = Vec::new();
+    for (panel, of_panel) in &mut results.panels {
+        let found: Vec<&mut Quantity> = of_panel.values_mut().filter(|quantity| is(quantity)).collect();
+        if !found.is_empty() {
+            doubts.push(Doubt::about(panel, why.to_string()));
+        }
+        found.into_iter().for_each(|quantity| quantity.verdict = Verdict::NotResolved);
+    }
+    doubts
 }
 
 /// Poses of the body, and its curves.

@@ -8,7 +8,7 @@ fn below(random: &mut SplitMix64, count: usize) -> usize {
 }
 
 /// Samples in the unit cube [-], shape (samples, axes); the same for the same seed on every machine.
-pub(super) fn latin_hypercube(samples: usize, axes: usize, seed: u64) -> Vec<Vec<f64>> {
+pub fn latin_hypercube(samples: usize, axes: usize, seed: u64) -> Vec<Vec<f64>> {
     let mut random = SplitMix64(seed);
     let mut points = vec![Vec::with_capacity(axes); samples];
     for _ in 0..axes {
