@@ -47,7 +47,6 @@ fn of_body(scene: &Scene, body: &Body) -> Vec<String> {
         Shape::Polyline { points, thickness } => {
             format!("a bent plate of {} points, {} thick", points.len(), m(*thickness))
         }
-        other => format!("a {}", other.name()),
     };
     let [u, v] = body.velocity.map(significant);
     let motion = match &body.motion {

@@ -6,6 +6,7 @@ use scene::reference::WedgeSimilarity;
 use scene::validity::panels::panel_results_within;
 use scene::vocabulary::{Doubt, Doubts, Quantity, ResultName, Results, Verdict};
 use scene::{Body, Gauge, Motion, QuantityOfInterest, Scene};
+use settings::significant;
 use water_entry::Instant;
 
 use super::{Measured, Theory, measured};
