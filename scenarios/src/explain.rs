@@ -87,7 +87,7 @@ fn of_panel(body: &Body, panel: &Panel) -> String {
     let allowed = match (panel.allowable_stress, panel.yield_stress) {
         (Some(stress), _) => format!("its allowable stress is {} MPa", significant(1e-6 * stress)),
         (None, Some(stress)) => format!("it yields at {} MPa", significant(1e-6 * stress)),
-        (None, None) => "nothing says which stress it bears".into(),
+        (None, None) => "nothing says which stress is allowed".into(),
     };
     format!("Its panel {} bends: {length} m long, {thickness} mm thick, E = {gpa} GPa; {allowed}.", panel.name)
 }

@@ -32,6 +32,7 @@ pub struct ScatterFile {
     #[schemars(with = "BTreeMap<String, Value>")]
     pub set: Map<String, Value>,
     /// Inputs that scatter: normal = [mean, standard deviation], uniform = [from, to], weibull = [scale, shape], table = [values].
+    #[schemars(with = "BTreeMap<String, Value>")]
     pub inputs: BTreeMap<String, Distribution>,
     /// Correlations of pairs of inputs, of the normal distributions that stand for them.
     #[serde(default)]
@@ -58,6 +59,9 @@ pub fn schema() -> &'static Schema {
     &SCHEMA
 }
 
+/// What an input may be.
+const FORM: &str =
+    "normal = [mean, standard deviation], uniform = [from, to], weibull = [scale, shape] or table = [values]";
 /// Names of the distributions.
 const FORMS: [&str; 4] = ["normal", "uniform", "weibull", "table"];
 
@@ -124,6 +128,9 @@ impl ScatterFile {
     }
 
     fn of(given: &Value) -> Result<ScatterFile, Problem> {
+        for (key, input) in given.get("inputs").and_then(Value::as_object).into_iter().flatten() {
+            Distribution::deserialize(input).map_err(|_| Problem::new(&format!("inputs.{key}"), input, FORM))?;
+        }
         let file = ScatterFile::deserialize(schema().check(given)?).map_err(|error| schema().missing("", &error))?;
         if file.inputs.is_empty() {
             return Err(Problem::new(
