@@ -6,7 +6,7 @@ use super::super::model::{EntryModel, OutOfRange};
 use super::super::section::Section;
 use super::FlowEnded;
 use super::cauchy::{Complex, Contour};
-use super::deflection::{AlongBottom, Deflection};
+use super::deflection::{AlongBottom, BottomMotion};
 use super::entry::{LATEST_UNDER_GRAVITY, keels};
 use super::first_contact::{FirstContact, PlateLoad};
 use super::solution::{Solution, SymmetricSolution};
@@ -35,17 +35,6 @@ impl Bending {
         let body = self.velocity[k];
         self.rate[k] + body.re * water.im - body.im * water.re
     }
-}
-
-/// Motion of a bottom that bends.
-#[derive(Clone, Debug)]
-pub struct BottomMotion {
-    /// Draught of the undeformed keel [m].
-    pub draught: f64,
-    /// Downward speed of the frame [m/s].
-    pub speed: f64,
-    /// Against the frame.
-    pub deflection: Deflection,
 }
 
 /// A body whose bottom bends, one side of a symmetric one.
@@ -338,10 +327,5 @@ impl BendingWater {
             self.first = None;
         }
         Ok(dt)
-    }
-
-    #[cfg(test)]
-    pub(super) fn first_contact(&self) -> Option<&FirstContact> {
-        self.first.as_ref()
     }
 }

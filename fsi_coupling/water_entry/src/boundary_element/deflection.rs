@@ -56,6 +56,17 @@ pub struct Deflection {
     pub velocity: AlongBottom,
 }
 
+/// Motion of a bottom that bends.
+#[derive(Clone, Debug)]
+pub struct BottomMotion {
+    /// Draught of the undeformed keel [m].
+    pub draught: f64,
+    /// Downward speed of the frame [m/s].
+    pub speed: f64,
+    /// Against the frame.
+    pub deflection: Deflection,
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

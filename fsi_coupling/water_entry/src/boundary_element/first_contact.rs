@@ -5,8 +5,7 @@ use std::f64::consts::{FRAC_2_PI, FRAC_PI_2};
 use super::super::section::Section;
 use super::FlowEnded;
 use super::before::{CURVED, ROUND};
-use super::bending::BottomMotion;
-use super::deflection::AlongBottom;
+use super::deflection::{AlongBottom, BottomMotion};
 use super::state::EntryFlow;
 
 /// Angles of the means over the plate, and terms of the series of the potential.
@@ -226,7 +225,6 @@ mod tests {
 
     use super::super::super::loads::Loads;
     use super::super::super::model::EntryModel;
-    use super::super::bending::BendingWater;
     use super::super::deflection::Deflection;
     use super::*;
 
@@ -240,8 +238,8 @@ mod tests {
         let section = Section::arc(1.0, 1.2).expect("an arc");
         let (draught, speed, gravity) = (0.012, 3.0, 0.0);
         let loads = Loads::new(EntryModel::Mlm, &section.convex()).expect("loads");
-        let water = BendingWater::new(&section, 0.0, speed, gravity).expect("water");
-        let contact = water.first_contact().expect("a round bottom");
+        let flow = EntryFlow::new(&section, 0.02, speed, gravity).expect("a flow");
+        let contact = FirstContact::new(&section, &flow, gravity);
         for lifted in [0.0, 0.02] {
             let deflection = Deflection { displacement: straight(lifted, 0.0), velocity: straight(0.5 * lifted, 0.0) };
             let motion = BottomMotion { draught: draught + lifted, speed: speed + 0.5 * lifted, deflection };

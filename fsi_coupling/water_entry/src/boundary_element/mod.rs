@@ -26,9 +26,9 @@ use std::f64::consts::FRAC_2_PI;
 
 use faer::c64;
 
-pub use bending::{BendingBottom, BendingStepError, BendingWater, BottomMotion, WaterOnBottom};
+pub use bending::{BendingBottom, BendingStepError, BendingWater, WaterOnBottom};
 pub(crate) use buffer::Buffer;
-pub use deflection::{AlongBottom, Deflection};
+pub use deflection::{AlongBottom, BottomMotion, Deflection};
 pub use entry::{FlowEntry, FlowHistory};
 pub(crate) use factorised::Factorised;
 pub use rolled::{RolledEntry, RolledFlow, RolledInstant, RolledLoad};

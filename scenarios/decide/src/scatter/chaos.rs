@@ -28,6 +28,16 @@ pub struct Indices {
     pub degree: usize,
 }
 
+/// A polynomial of the samples.
+struct Polynomial {
+    degree: usize,
+    /// Exponents of its terms, the constant first.
+    terms: Vec<Vec<usize>>,
+    coefficients: DVector<f64>,
+    /// Mean square of its leave-one-out errors.
+    error: f64,
+}
+
 /// Orthonormal Legendre polynomials of degrees 0 to `highest` at a share in (0, 1).
 fn legendre(share: f64, highest: usize) -> Vec<f64> {
     let x = 2.0 * share - 1.0;
@@ -62,18 +72,18 @@ pub fn indices(samples: &[Vec<f64>], values: &[f64]) -> Option<Indices> {
     if variance <= 1e-24 * mean * mean {
         return None;
     }
-    let mut best: Option<(f64, usize, Vec<Vec<usize>>, DVector<f64>)> = None;
+    let mut best: Option<Polynomial> = None;
     for degree in 1..=HIGHEST {
         let terms = exponents(inputs, degree);
         if SAMPLES_PER_TERM * terms.len() > n {
             break;
         }
         let Some((coefficients, error)) = fitted(samples, values, &terms, degree) else { break };
-        if best.as_ref().is_none_or(|(least, ..)| error < *least) {
-            best = Some((error, degree, terms, coefficients));
+        if best.as_ref().is_none_or(|best| error < best.error) {
+            best = Some(Polynomial { degree, terms, coefficients, error });
         }
     }
-    let (error, degree, terms, c) = best?;
+    let Polynomial { degree, terms, coefficients: c, error } = best?;
     let explained = 1.0 - error / variance;
     if explained < LEAST {
         return None;

@@ -5,6 +5,7 @@
 
 mod margin;
 mod search;
+mod trial;
 
 use rayon::prelude::*;
 use scene::vocabulary::{Status, Verdict};
@@ -13,6 +14,7 @@ use serde::Serialize;
 
 pub use margin::{Limit, Margin};
 use search::{Found, Search};
+pub use trial::Trial;
 
 use crate::evaluate::{EvaluateError, Evaluator};
 
@@ -47,20 +49,6 @@ pub struct Question {
     pub limits: Vec<Limit>,
     /// Is the value confirmed by particles?
     pub confirm: bool,
-}
-
-/// A value with its margin.
-#[derive(Clone, Debug, Serialize)]
-pub struct Trial {
-    /// Of the key.
-    pub value: f64,
-    /// The model that was run.
-    pub model: String,
-    /// The least margin of all limits.
-    #[serde(flatten)]
-    pub margin: Margin,
-    /// Mass of all panels, both sides of a section that is simulated by half [kg/m].
-    pub panel_mass_kg_per_m: f64,
 }
 
 /// A value that cannot be run.

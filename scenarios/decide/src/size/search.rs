@@ -1,6 +1,6 @@
 //! The boundary between values that are allowed and others.
 
-use super::Trial;
+use super::trial::Trial;
 
 /// Relative width at which the boundary is known [-].
 const NEAR: f64 = 2e-3;
@@ -93,7 +93,7 @@ impl Found {
 
 #[cfg(test)]
 mod tests {
-    use super::super::Margin;
+    use super::super::margin::Margin;
     use super::*;
 
     fn trial(value: f64, share: f64) -> Trial {

@@ -4,18 +4,9 @@ use scene::{Body, Choice, Loader, Models, Motion, QuantityOfInterest, Scene};
 use settings::significant;
 use water_entry::{BOUNDARY_ELEMENT_DEADRISES, EntryModel, OutOfRange, Section, SimilarityFlow};
 
-use super::{Theory, curves, rolled};
+use super::{Measured, Theory, curves, rolled};
 use crate::compare;
 use crate::observers::{Series, columns};
-
-/// An error that was measured.
-#[derive(Clone, Debug, PartialEq, serde::Serialize)]
-pub struct Measured {
-    /// Its size [-].
-    pub error: f64,
-    /// In which case, against what.
-    pub case: String,
-}
 
 /// The free drop against which theories are measured: a wedge of 25°, against boundary elements.
 const DROP: &str = "wedge25";

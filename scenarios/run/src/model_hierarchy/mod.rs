@@ -20,12 +20,14 @@ mod choose;
 mod curves;
 mod elastic_wedge;
 mod measured;
+mod measured_error;
 mod rolled;
 mod theory;
 mod theory_run;
 
 pub use assess::{Assessment, assess};
 pub use choose::{charted_number, choose};
-pub use measured::{Measured, measured};
+pub use measured::measured;
+pub use measured_error::Measured;
 pub use theory::Theory;
 pub(crate) use theory_run::{Followed, run};
