@@ -125,7 +125,7 @@ fn a_force_scatters_as_the_cube_of_the_speed() {
     let result = &summary["results"]["peak_force_N_per_m"];
     let force = &answer["results"]["peak_force_N_per_m"];
     assert_eq!(number(&answer, "failed"), 0.0, "{answer}");
-    for (k, normal) in [0.0, 1.6449, 2.3263].into_iter().enumerate() {
+    for (k, normal) in [0.0_f64, 1.6449, 2.3263].into_iter().enumerate() {
         let exact = number(result, "value") * (1.0 + 0.025 * normal).powi(3);
         let quantile = &force["quantiles"][k];
         assert!((number(quantile, "value") / exact - 1.0).abs() < 0.01, "{exact}: {quantile}");
