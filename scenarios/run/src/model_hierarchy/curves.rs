@@ -13,14 +13,14 @@ const ROUND_DROP_ERROR: f64 = 0.035;
 /// The same of ellipses and ovoids given by points: force from a twentieth of the half breadth on, four of them, and speed, three of them [-].
 const CURVE_ERROR: f64 = 0.03;
 const CURVE_DROP_ERROR: f64 = 0.01;
-/// Largest force on arcs and curves, of nine of them, where it comes after the first contact: from a draught over the half breadth on [-].
+/// Largest force on arcs and curves, of four of them, where it comes after the first contact: from a draught over the half breadth on [-].
 const CURVE_PEAK_ERROR: f64 = 0.045;
 const AFTER_CONTACT: f64 = 0.04;
-/// The same of curves with a keel of 12 to 28 degrees, of seven of them: force and speed [-], and the least angle of the keel [deg].
+/// The same of curves with a keel of 12 to 28 degrees, of five of them: force and speed [-], and the least angle of the keel [deg].
 const KEELED_CURVE_ERROR: f64 = 0.03;
 const KEELED_CURVE_DROP_ERROR: f64 = 0.01;
 const KEELED_CURVE: f64 = 12.0;
-/// RMS difference of the speed of three falling bodies with flat keels from particles, over that at contact [-].
+/// RMS difference of the speed of a falling body with a flat keel from particles, over that at contact [-].
 const FLAT_DROP_ERROR: f64 = 0.02;
 
 /// Under a round bottom only boundary elements were measured, and the peak of the first contact, which no theory without sound or air has, was not.
@@ -51,7 +51,7 @@ pub(super) fn of_round_bottom(scene: &Scene, theory: &Theory, want: QuantityOfIn
             Some(Measured { error: of_flow + dropped, case })
         }
         QuantityOfInterest::PeakForce if peaks_after_contact(theory) => {
-            Some(Measured { error: CURVE_PEAK_ERROR, case: "nine drops of arcs and curves, against particles".into() })
+            Some(Measured { error: CURVE_PEAK_ERROR, case: "four arcs and curves, against particles".into() })
         }
         _ => None,
     }
@@ -68,7 +68,7 @@ pub(super) fn of_flat_keel(scene: &Scene, want: QuantityOfInterest) -> Option<Me
     let falls = scene.body.as_ref().is_some_and(|body| matches!(body.motion, Motion::Free(_)));
     match want {
         QuantityOfInterest::Motion if falls => {
-            Some(Measured { error: FLAT_DROP_ERROR, case: "drops of flat keels, against particles".into() })
+            Some(Measured { error: FLAT_DROP_ERROR, case: "a drop of a flat keel, against particles".into() })
         }
         QuantityOfInterest::Motion => Some(Measured { error: 0.0, case: "a motion that is given".into() }),
         _ => None,
@@ -82,7 +82,7 @@ pub(super) fn of_keeled_curve(scene: &Scene, theory: &Theory, want: QuantityOfIn
     }
     let falls = scene.body.as_ref().is_some_and(|body| matches!(body.motion, Motion::Free(_)));
     let dropped = if falls { KEELED_CURVE_DROP_ERROR } else { 0.0 };
-    let case = || "seven curves with keels, against particles".into();
+    let case = || "five curves with keels, against particles".into();
     match want {
         QuantityOfInterest::Motion if falls => Some(Measured { error: dropped, case: case() }),
         QuantityOfInterest::Motion => Some(Measured { error: 0.0, case: "a motion that is given".into() }),
