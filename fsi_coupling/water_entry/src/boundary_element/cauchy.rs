@@ -37,19 +37,19 @@ pub(super) struct Coefficients {
 impl Coefficients {
     /// Zeros for a number of nodes.
     pub fn zeros(nodes: usize) -> Coefficients {
-        let all = nodes * Row::length(nodes);
+        let all = nodes * nodes;
         Coefficients { phi: Buffer::zeros(all), psi: Buffer::zeros(all), nodes }
     }
 
     /// Of φ and of ψ in the equation of node `j`.
     pub fn of(&self, j: usize) -> [&[f64]; 2] {
-        let start = j * Row::length(self.nodes);
+        let start = j * self.nodes;
         [&self.phi[start..start + self.nodes], &self.psi[start..start + self.nodes]]
     }
 
     /// The equation of node `j`, of which `known` is known.
     pub fn row(&mut self, j: usize, known: Known) -> Row<'_> {
-        let length = Row::length(self.nodes);
+        let length = self.nodes;
         let row = j * length..(j + 1) * length;
         let is_imaginary = known == Known::StreamFunction;
         Row { phi: &mut self.phi[row.clone()], psi: &mut self.psi[row], is_imaginary }
@@ -100,9 +100,9 @@ fn mirrored(z: c64) -> c64 {
 
 impl Contour {
     /// Of the nodes `z` from the far free surface to the keel on x = 0, water on the left.
-    pub fn new(z: &[c64], known: Vec<Known>) -> Contour {
+    pub fn new(z: &[c64], known: Vec<Known>, corners: &[usize]) -> Contour {
         let n = z.len();
-        let influence = Influence::symmetric(z);
+        let mut influence = Influence::symmetric(z, corners);
         let mut of = Coefficients::zeros(n);
         let unknown: Vec<usize> = (0..n).filter(|&j| known[j] != Known::Both).collect();
         for &j in &unknown[1..] {

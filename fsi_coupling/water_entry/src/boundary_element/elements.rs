@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_4, FRAC_PI_6};
 use faer::c64;
 
 /// Growth of the elements per length away from the jet.
-pub(super) const GROWTH: f64 = 0.1;
+pub(super) const GROWTH: f64 = 0.16;
 /// Elements of the finest size next to the jet's end.
 const FINE_ELEMENTS: f64 = 8.0;
 
@@ -27,7 +27,7 @@ pub(super) struct Sizes {
 
 impl Sizes {
     /// About a straight wedge.
-    pub const WEDGE: Sizes = Sizes { jet: 1.0, far: 0.05, keel: [1e-2, 1e-3, 1e-4], courant: [1.4, 1.1] };
+    pub const WEDGE: Sizes = Sizes { jet: 1.0, far: 0.1, keel: [1e-2, 1e-3, 1e-4], courant: [1.4, 1.1] };
     /// About a bottom on which the flow meets knuckles or leaves it between keel and chine.
     pub const BENT: Sizes = Sizes { jet: 1.0, far: 0.0, keel: [1e-3, 1e-3, 1e-4], courant: [1.1, 1.1] };
     /// About two deadrises.
@@ -57,10 +57,11 @@ pub(super) fn arc_length(z: &[c64]) -> Vec<f64> {
         .collect()
 }
 
-/// Distances from 0 to about `length`, whose steps are `size` of the distance.
+/// Distances from 0 to `length`, whose steps are about `size` of the distance. All of them change a little with the length: nodes that keep their
+/// places next to the jet while the rest moves would leave a sawtooth on the surface, which grows.
 pub(super) fn graded(length: f64, size: impl Fn(f64) -> f64) -> Vec<f64> {
     let mut at = vec![0.0];
-    while let Some(&last) = at.last().filter(|&&last| last < length) {
+    while let Some(&last) = at.last().filter(|&&last| last + 0.5 * size(last) < length) {
         at.push(last + size(last));
     }
     let reached = at[at.len() - 1];

@@ -1,4 +1,4 @@
-//! Cauchy's integral over straight elements, of which β is linear (THEORY EN21): eight elements at a time by a series, near ones by the
+//! Cauchy's integral over straight elements, on which β is quadratic (THEORY EN21): four elements at a time by a series, near ones by the
 //! logarithm.
 
 use std::array::from_fn;
@@ -11,13 +11,13 @@ use pulp::{Arch, NullaryFnOnce};
 #[derive(Clone, Copy, Default)]
 struct Lanes([f64; LANES]);
 
-const LANES: usize = 8;
+const LANES: usize = 4;
 /// Factors of w, w², … in artanh(u)/u − 1, w = u².
-const SERIES: [f64; 4] = [1.0 / 3.0, 1.0 / 5.0, 1.0 / 7.0, 1.0 / 9.0];
+const SERIES: [f64; 7] = [1.0 / 3.0, 1.0 / 5.0, 1.0 / 7.0, 1.0 / 9.0, 1.0 / 11.0, 1.0 / 13.0, 1.0 / 15.0];
 /// Place of an element that fills a block and has no length [m].
 const VERY_FAR: f64 = 1e30;
 /// Largest |u|² of the series, whose error is 10⁻¹¹ at most; u is half the element over the distance of its middle.
-const FAR: f64 = 0.01;
+const FAR: f64 = 0.04;
 
 impl Add for Lanes {
     type Output = Lanes;
@@ -61,11 +61,12 @@ fn times(a: [Lanes; 2], b: [Lanes; 2]) -> [Lanes; 2] {
     [a[0] * b[0] - a[1] * b[1], a[0] * b[1] + a[1] * b[0]]
 }
 
-/// Middles of elements, and half of the way from their first end to their second, x and y [m].
+/// Elements that are treated at a time: middles, half of the way from the first end to the second, and twice its square, x and y [m, m²].
 #[derive(Clone, Copy, Default)]
 struct Block {
     middle: [Lanes; 2],
     half: [Lanes; 2],
+    square: [Lanes; 2],
 }
 
 /// Straight elements between the nodes of a line.
@@ -74,18 +75,24 @@ struct Elements {
     blocks: Vec<Block>,
 }
 
-/// Factors of β at the first and the second end of elements in the integral, real and imaginary part.
+/// Factors in the integral over an element of β at its first and its second end, and of the second divided difference of β on it.
 #[derive(Clone, Copy)]
 struct Factors {
-    first: [Lanes; 2],
-    second: [Lanes; 2],
+    /// Real and imaginary part of the first, of the second, of the third.
+    of: [Lanes; 6],
     /// |u|².
     near: Lanes,
 }
 
+/// Complex numbers along a line: real and imaginary parts.
+type Numbers = [Vec<f64>; 2];
+
+fn zeros(length: usize) -> Numbers {
+    [vec![0.0; length], vec![0.0; length]]
+}
+
 /// Factors of φ and ψ of the nodes in the equation of a node.
 pub(super) struct Row<'a> {
-    /// As long as [`Row::length`] says; what is beyond the nodes is of no meaning.
     pub phi: &'a mut [f64],
     pub psi: &'a mut [f64],
     /// Is the imaginary part of the equation the one that counts?
@@ -93,11 +100,6 @@ pub(super) struct Row<'a> {
 }
 
 impl Row<'_> {
-    /// Length of a row of factors for a number of nodes.
-    pub fn length(nodes: usize) -> usize {
-        (nodes - 1).div_ceil(LANES) * LANES + 1
-    }
-
     /// Add the factor of β of node `k`.
     pub fn add(&mut self, k: usize, own: c64) {
         let [phi, psi] = if self.is_imaginary { [own.im, own.re] } else { [own.re, -own.im] };
@@ -109,59 +111,165 @@ impl Row<'_> {
     pub fn add_stream(&mut self, k: usize, own: c64) {
         self.psi[k] += if self.is_imaginary { own.re } else { -own.im };
     }
+
+    /// The factors of β of all nodes.
+    #[inline(always)]
+    fn write(&mut self, [re, im]: [&[f64]; 2]) {
+        let (phi, psi, sign) = if self.is_imaginary { (im, re, 1.0) } else { (re, im, -1.0) };
+        self.phi.copy_from_slice(phi);
+        self.psi.iter_mut().zip(psi).for_each(|(to, psi)| *to = sign * psi);
+    }
+}
+
+/// The second divided difference of β at the nodes between the first and the last.
+struct Bends {
+    /// Factors of β of the node before, of the node itself and of the node after it, with a zero before and after; 0 at corners.
+    factors: [Numbers; 3],
+    /// Shares that the elements before and after take of it.
+    shares: [Vec<f64>; 2],
 }
 
 /// The elements of a contour.
 pub(super) struct Influence {
-    own: Elements,
-    /// Those of the other half of a symmetric contour.
-    image: Option<Elements>,
+    elements: Elements,
+    bends: Bends,
+    /// Is the contour the right half of a symmetric one?
+    is_half: bool,
+    integrals: Integrals,
     arch: Arch,
 }
 
+/// What is integrated for a node.
+struct Integrals {
+    /// Of the elements, as [`Factors`], after a zero.
+    of: [Vec<f64>; 6],
+    /// Of the second divided difference of each node, with a zero before and after.
+    bent: Numbers,
+    /// Of β of each node.
+    beta: Numbers,
+}
+
 impl Influence {
-    /// Of the elements between the nodes of a whole contour.
-    pub fn whole(z: &[c64]) -> Influence {
-        let own = Elements::new(z.windows(2).map(|ends| [ends[0], ends[1]]));
-        Influence { own, image: None, arch: Arch::new() }
+    /// Of the elements between the nodes of a whole contour; β is smooth along it between `corners`.
+    pub fn whole(z: &[c64], corners: &[usize]) -> Influence {
+        let elements = Elements::new(z);
+        let padded = elements.blocks.len() * LANES;
+        let integrals =
+            Integrals { of: [(); 6].map(|()| vec![0.0; padded + 1]), bent: zeros(z.len() + 2), beta: zeros(z.len()) };
+        Influence { elements, bends: Bends::new(z, corners), is_half: false, integrals, arch: Arch::new() }
     }
 
-    /// Of the elements between the nodes of the right half of a symmetric contour and of their mirror images, whose β is the conjugate.
-    pub fn symmetric(z: &[c64]) -> Influence {
-        let mirrored = |z: c64| c64::new(-z.re, z.im);
-        let image = Elements::new(z.windows(2).map(|ends| [mirrored(ends[1]), mirrored(ends[0])]));
-        Influence { image: Some(image), ..Influence::whole(z) }
+    /// Of those of the right half of a symmetric contour and of their mirror images, whose β is the conjugate.
+    pub fn symmetric(z: &[c64], corners: &[usize]) -> Influence {
+        Influence { is_half: true, ..Influence::whole(z, corners) }
     }
 
     /// ∫ β/(z − `at`) dz over all elements, written to a row. At an end that is `at` the singular part is left to the node.
-    pub fn write(&self, at: c64, row: &mut Row<'_>) {
-        self.arch.dispatch(Writing { own: &self.own, image: self.image.as_ref(), at, row });
+    pub fn write(&mut self, at: c64, row: &mut Row<'_>) {
+        let Influence { elements, bends, is_half, integrals, arch } = self;
+        arch.dispatch(Writing { elements, bends, is_half: *is_half, integrals, at, row });
+    }
+}
+
+impl Bends {
+    /// Of the nodes `z`, of which `corners` have none.
+    fn new(z: &[c64], corners: &[usize]) -> Bends {
+        let inner = z.len() - 2;
+        let mut bends =
+            Bends { factors: [(); 3].map(|()| zeros(z.len() + 2)), shares: [(); 2].map(|()| vec![0.0; inner]) };
+        let is_smooth = |k: usize| 0 < k && k <= inner && !corners.contains(&k);
+        for k in (1..=inner).filter(|k| is_smooth(*k)) {
+            let [before, after] = [z[k] - z[k - 1], z[k + 1] - z[k]];
+            let both = before + after;
+            let of = [(before * both).inv(), -(before * after).inv(), (after * both).inv()];
+            for ([re, im], of) in bends.factors.iter_mut().zip(of) {
+                (re[k + 1], im[k + 1]) = (of.re, of.im);
+            }
+            for (shares, next) in bends.shares.iter_mut().zip([k - 1, k + 1]) {
+                shares[k - 1] = if is_smooth(next) { 0.5 } else { 1.0 };
+            }
+        }
+        bends
+    }
+}
+
+impl Integrals {
+    /// Of all elements for a node and its mirror image, each with the sign with which it counts.
+    #[inline(always)]
+    fn take(&mut self, elements: &Elements, places: &[(f64, c64)]) {
+        for (number, block) in elements.blocks.iter().enumerate() {
+            let start = number * LANES;
+            let mut sum = [Lanes::default(); 6];
+            for (sign, at) in places {
+                let Factors { of, .. } = elements.factors(block, start, *at);
+                for k in 0..6 {
+                    sum[k] = sum[k] + Lanes::all(*sign) * of[k];
+                }
+            }
+            for k in 0..6 {
+                self.of[k][1 + start..][..LANES].copy_from_slice(&sum[k].0);
+            }
+        }
+    }
+
+    /// Of β of each node.
+    #[inline(always)]
+    fn gather(&mut self, bends: &Bends) {
+        let Integrals { of, bent, beta } = self;
+        let inner = bends.shares[0].len();
+        let n = inner + 2;
+        let [of_before, of_after] = [&bends.shares[0][..inner], &bends.shares[1][..inner]];
+        for part in 0..2 {
+            let [first, second, third] = [&of[part], &of[2 + part], &of[4 + part]];
+            let (before, after, bent) = (&third[1..][..inner], &third[2..][..inner], &mut bent[part][2..][..inner]);
+            for k in 0..inner {
+                bent[k] = of_before[k] * before[k] + of_after[k] * after[k];
+            }
+            let (beta, first, second) = (&mut beta[part][..n], &first[1..][..n - 1], &second[..n]);
+            for k in 0..n - 1 {
+                beta[k] = first[k] + second[k];
+            }
+            beta[n - 1] = second[n - 1];
+        }
+        let [re, im] = beta;
+        // node k is the node after k − 1, itself, and the node before k + 1
+        let [re, im] = [&mut re[..n], &mut im[..n]];
+        for (shift, factors) in bends.factors.iter().rev().enumerate() {
+            let [d_re, d_im] = [&bent[0][shift..][..n], &bent[1][shift..][..n]];
+            let [w_re, w_im] = [&factors[0][shift..][..n], &factors[1][shift..][..n]];
+            for k in 0..n {
+                re[k] += d_re[k] * w_re[k] - d_im[k] * w_im[k];
+                im[k] += d_re[k] * w_im[k] + d_im[k] * w_re[k];
+            }
+        }
     }
 }
 
 impl Elements {
-    fn new(ends: impl Iterator<Item = [c64; 2]>) -> Elements {
-        let ends: Vec<[c64; 2]> = ends.collect();
-        let nothing = Block { middle: [Lanes::all(VERY_FAR); 2], half: [Lanes::all(0.0); 2] };
+    /// Between the nodes of a line.
+    fn new(z: &[c64]) -> Elements {
+        let ends: Vec<[c64; 2]> = z.windows(2).map(|ends| [ends[0], ends[1]]).collect();
+        let nothing = Block { middle: [Lanes::all(VERY_FAR); 2], ..Block::default() };
         let mut blocks = vec![nothing; ends.len().div_ceil(LANES)];
         for (k, [from, to]) in ends.iter().enumerate() {
             let (block, k) = (&mut blocks[k / LANES], k % LANES);
             let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
-            (block.middle[0].0[k], block.middle[1].0[k]) = (middle.re, middle.im);
-            (block.half[0].0[k], block.half[1].0[k]) = (half.re, half.im);
+            let square = 2.0 * half * half;
+            for (to, of) in [(&mut block.middle, middle), (&mut block.half, half), (&mut block.square, square)] {
+                (to[0].0[k], to[1].0[k]) = (of.re, of.im);
+            }
         }
         Elements { ends, blocks }
     }
 
-    /// Factors of a block of elements for a node.
+    /// Factors of a block of elements, which begins with number `start`, for a node.
     #[inline(always)]
-    fn factors(&self, block: usize, at: c64) -> Factors {
-        let mut factors = by_series(&self.blocks[block], at);
+    fn factors(&self, block: &Block, start: usize, at: c64) -> Factors {
+        let mut factors = by_series(block, at);
         let largest = factors.near.0.iter().fold(0.0, |most: f64, size| if *size < most { most } else { *size });
         let all_are_far = largest < FAR;
         if !all_are_far {
-            let first = block * LANES;
-            replace_near(&mut factors, &self.ends[first..self.ends.len().min(first + LANES)], at);
+            replace_near(&mut factors, &self.ends[start..self.ends.len().min(start + LANES)], at);
         }
         factors
     }
@@ -169,8 +277,10 @@ impl Elements {
 
 /// What [`Influence::write`] does, for vector instructions.
 struct Writing<'a, 'b> {
-    own: &'a Elements,
-    image: Option<&'a Elements>,
+    elements: &'a Elements,
+    bends: &'a Bends,
+    is_half: bool,
+    integrals: &'a mut Integrals,
     at: c64,
     row: &'a mut Row<'b>,
 }
@@ -180,47 +290,31 @@ impl NullaryFnOnce for Writing<'_, '_> {
 
     #[inline(always)]
     fn call(self) {
-        let Writing { own, image, at, row } = self;
-        let part = if row.is_imaginary { [1, 0] } else { [0, 1] };
-        let sign = Lanes::all(if row.is_imaginary { 1.0 } else { -1.0 });
-        let mut before = [0.0; 2];
-        for block in 0..own.blocks.len() {
-            let Factors { first, second, .. } = own.factors(block, at);
-            let [mut of_phi, mut of_psi] = part.map(|part| [first[part], second[part]]);
-            if let Some(image) = image {
-                // the second end of an image is that of the first node, and ψ has the other sign
-                let Factors { first, second, .. } = image.factors(block, at);
-                of_phi = [of_phi[0] + second[part[0]], of_phi[1] + first[part[0]]];
-                of_psi = [of_psi[0] - second[part[1]], of_psi[1] - first[part[1]]];
-            }
-            let start = block * LANES;
-            let rows = [(&mut row.phi[start..], of_phi), (&mut row.psi[start..], of_psi.map(|of| of * sign))];
-            for ((row, [first, second]), before) in rows.into_iter().zip(&mut before) {
-                let after: [f64; LANES] = from_fn(|k| if k == 0 { *before } else { second.0[k - 1] });
-                for k in 0..LANES {
-                    row[k] = first.0[k] + after[k];
-                }
-                *before = second.0[LANES - 1];
-            }
-        }
-        let end = own.blocks.len() * LANES;
-        [row.phi[end], row.psi[end]] = before;
+        let Writing { elements, bends, is_half, integrals, at, row } = self;
+        // the conjugate of the factors of the images' β is that of the elements for the mirrored node, with the other sign
+        let sign = if row.is_imaginary { 1.0 } else { -1.0 };
+        let places = [(1.0, at), (sign, c64::new(-at.re, at.im))];
+        integrals.take(elements, &places[..if is_half { 2 } else { 1 }]);
+        integrals.gather(bends);
+        row.write([&integrals.beta[0], &integrals.beta[1]]);
     }
 }
 
 /// The logarithm in place of the series where an element is near.
+#[inline(never)]
 fn replace_near(factors: &mut Factors, ends: &[[c64; 2]], at: c64) {
     for (k, [from, to]) in ends.iter().enumerate() {
         let is_far = factors.near.0[k] < FAR;
         if !is_far {
-            let [first, second] = by_logarithm([from - at, to - at]);
-            (factors.first[0].0[k], factors.first[1].0[k]) = (first.re, first.im);
-            (factors.second[0].0[k], factors.second[1].0[k]) = (second.re, second.im);
+            for (number, of) in by_logarithm([from - at, to - at]).into_iter().enumerate() {
+                factors.of[2 * number].0[k] = of.re;
+                factors.of[2 * number + 1].0[k] = of.im;
+            }
         }
     }
 }
 
-/// With u half the element over the distance of its middle, w = u², A = artanh u and E = A/u − 1: A + E and A − E.
+/// With u half the element h over the distance of its middle, w = u², A = artanh u and E = A/u − 1: A + E, A − E and 2 h² (E/u − A).
 #[inline(always)]
 fn by_series(block: &Block, at: c64) -> Factors {
     let [x, y] = [block.middle[0] - Lanes::all(at.re), block.middle[1] - Lanes::all(at.im)];
@@ -229,65 +323,135 @@ fn by_series(block: &Block, at: c64) -> Factors {
     let u = [(hx * x + hy * y) * inverse, (hy * x - hx * y) * inverse];
     let [xx, yy, xy] = [u[0] * u[0], u[1] * u[1], u[0] * u[1]];
     let (w, near) = ([xx - yy, xy + xy], xx + yy);
-    // Σ c_k w^k = b₀ + b₁ (w − 2 Re w), b_k = c_k + 2 Re w b_{k+1} − |w|² b_{k+2}
-    let (twice, square) = (w[0] + w[0], near * near);
-    let [c0, c1, c2, c3] = SERIES.map(Lanes::all);
-    let b2 = c2 + twice * c3;
-    let b1 = c1 + twice * b2 - square * c3;
-    let b0 = c0 + twice * b1 - square * b2;
-    let sum = [b0 - b1 * w[0], b1 * w[1]];
+    // Σ c_k w^k = (c₀ + c₁ w) + w² (c₂ + c₃ w) + w⁴ (c₄ + c₅ w + c₆ w²)
+    let squared = [(w[0] + w[1]) * (w[0] - w[1]), (w[0] + w[0]) * w[1]];
+    let fourth = [(squared[0] + squared[1]) * (squared[0] - squared[1]), (squared[0] + squared[0]) * squared[1]];
+    let factor = |k: usize| Lanes::all(SERIES[k]);
+    let linear = |k: usize| [factor(k) + factor(k + 1) * w[0], factor(k + 1) * w[1]];
+    let (low, middle, high) = (linear(0), linear(2), linear(4));
+    let high = times(fourth, [high[0] + factor(6) * squared[0], high[1] + factor(6) * squared[1]]);
+    let middle = times(squared, middle);
+    let sum = [low[0] + (middle[0] + high[0]), low[1] + (middle[1] + high[1])];
     let e = times(w, sum);
-    let a = times(u, [e[0] + Lanes::all(1.0), e[1]]);
-    Factors { first: [a[0] + e[0], a[1] + e[1]], second: [a[0] - e[0], a[1] - e[1]], near }
+    let one_more = [e[0] + Lanes::all(1.0), e[1]];
+    let a = times(u, one_more);
+    let third = times(block.square, times(u, [sum[0] - one_more[0], sum[1] - one_more[1]]));
+    Factors { of: [a[0] + e[0], a[1] + e[1], a[0] - e[0], a[1] - e[1], third[0], third[1]], near }
 }
 
 /// The same of an element from z₀ + `a` to z₀ + `b` at any distance.
-fn by_logarithm([a, b]: [c64; 2]) -> [c64; 2] {
+fn by_logarithm([a, b]: [c64; 2]) -> [c64; 3] {
     let one = c64::new(1.0, 0.0);
-    let size = |z: c64| 0.5 * z.norm_sqr().ln();
+    let size = |square: f64| 0.5 * square.ln();
+    let way = b - a;
+    let square = 0.5 * way * way;
+    let [of_a, of_b] = [a, b].map(|z| z.norm_sqr());
     if a == c64::ZERO {
-        return [c64::new(size(b), 0.0) - one, one];
+        return [c64::new(size(of_b), 0.0) - one, one, -square];
     }
     if b == c64::ZERO {
-        return [-one, one - c64::new(size(a), 0.0)];
+        return [-one, one - c64::new(size(of_a), 0.0), square];
     }
     let turn = b * a.conj();
-    let log = c64::new(size(b) - size(a), turn.im.atan2(turn.re));
-    let second = one - a * log / (b - a);
-    [log - second, second]
+    let log = c64::new(size(of_b / of_a), turn.im.atan2(turn.re));
+    let second = one - a * log / way;
+    // ∫ (z − a)(z − b)/z dz = a b log − ½ (a + b)(b − a)
+    [log - second, second, a * b * log - 0.5 * (a + b) * way]
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    /// A line with a corner at its third node.
+    fn line() -> Vec<c64> {
+        let ends = [[1.0, 0.3], [1.1, 0.32], [1.3, 0.4], [2.0, 0.1], [2.2, -0.4], [2.25, -0.5], [2.2, -0.6]];
+        (0..3).flat_map(|n| ends.map(|[x, y]| c64::new(x, y - f64::from(n)))).collect()
+    }
+
+    fn mirrored(z: c64) -> c64 {
+        c64::new(-z.re, z.im)
+    }
+
+    /// The factors of φ and of ψ of the nodes at a place.
+    fn written(influence: &mut Influence, n: usize, at: c64, is_imaginary: bool) -> [Vec<f64>; 2] {
+        let [mut phi, mut psi] = [(); 2].map(|()| vec![0.0; n]);
+        influence.write(at, &mut Row { phi: &mut phi, psi: &mut psi, is_imaginary });
+        [phi, psi]
+    }
+
     #[test]
     fn series_and_logarithm_agree() {
-        let ends = [[1.0, 0.3], [1.1, 0.32], [1.3, 0.4], [2.0, 0.1], [2.2, -0.4], [2.25, -0.5], [2.2, -0.6]];
-        let z: Vec<c64> = (0..3).flat_map(|n| ends.map(|[x, y]| c64::new(x, y - f64::from(n)))).collect();
-        let places = [c64::new(-3.0, 0.5), c64::new(1.0, 8.0), z[2], z[15]];
-        for (at, is_imaginary) in places.into_iter().flat_map(|at| [(at, false), (at, true)]) {
-            for influence in [Influence::whole(&z), Influence::symmetric(&z)] {
-                let length = Row::length(z.len());
-                let [[mut phi, mut psi], mut exact] = [(); 2].map(|()| [(); 2].map(|()| vec![0.0; length]));
-                influence.write(at, &mut Row { phi: &mut phi, psi: &mut psi, is_imaginary });
-                let mut add = |k: usize, factor: c64, of_psi: f64| {
-                    exact[0][k] += if is_imaginary { factor.im } else { factor.re };
-                    exact[1][k] += of_psi * if is_imaginary { factor.re } else { -factor.im };
-                };
-                for (k, ends) in influence.own.ends.iter().enumerate() {
-                    let [first, second] = by_logarithm(ends.map(|z| z - at));
-                    add(k, first, 1.0);
-                    add(k + 1, second, 1.0);
+        let z = line();
+        let block = Elements::new(&z).blocks;
+        for (k, ends) in z.windows(2).enumerate() {
+            let [from, to] = [ends[0], ends[1]];
+            for turn in 0..16 {
+                let away = c64::new(0.0, f64::from(turn) * std::f64::consts::PI / 8.0).exp();
+                let at = 0.5 * (from + to) + away * (0.5 * (to - from).norm() / (0.999 * FAR).sqrt());
+                let Factors { of, near } = by_series(&block[k / LANES], at);
+                assert!(near.0[k % LANES] < FAR);
+                for (number, exact) in by_logarithm([from - at, to - at]).into_iter().enumerate() {
+                    let own = c64::new(of[2 * number].0[k % LANES], of[2 * number + 1].0[k % LANES]);
+                    assert!((own - exact).norm() < 2e-11, "{number} of element {k}: {own} for {exact}");
                 }
-                for (k, ends) in influence.image.iter().flat_map(|image| image.ends.iter().enumerate()) {
-                    let [first, second] = by_logarithm(ends.map(|z| z - at));
-                    add(k + 1, first, -1.0);
-                    add(k, second, -1.0);
-                }
-                let all = [phi, psi].into_iter().flatten().zip(exact.into_iter().flatten());
-                all.for_each(|(own, exact)| assert!((own - exact).abs() < 3e-11, "{at}: {own} for {exact}"));
             }
+        }
+    }
+
+    /// The factors are those of the sum over the elements by the logarithm alone, on the images too.
+    #[test]
+    fn factors_are_those_of_all_elements() {
+        let (z, corner) = (line(), 2);
+        let n = z.len();
+        let beta: Vec<c64> = (0..n).map(|k| c64::new((0.7 * k as f64).sin(), (0.3 * k as f64).cos())).collect();
+        let bend = |z: &[c64], beta: &[c64], k: usize| {
+            let slope = |k: usize| (beta[k + 1] - beta[k]) / (z[k + 1] - z[k]);
+            (slope(k) - slope(k - 1)) / (z[k + 1] - z[k - 1])
+        };
+        let integral = |z: &[c64], beta: &[c64], corner: usize, at: c64| -> c64 {
+            let of = |k: usize| {
+                let [first, second, third] = by_logarithm([z[k] - at, z[k + 1] - at]);
+                let bends: Vec<c64> = [k, k + 1]
+                    .into_iter()
+                    .filter(|k| 0 < *k && k + 1 < n && *k != corner)
+                    .map(|k| bend(z, beta, k))
+                    .collect();
+                let mean = bends.iter().sum::<c64>() / bends.len().max(1) as f64;
+                first * beta[k] + second * beta[k + 1] + third * mean
+            };
+            (0..n - 1).map(of).sum()
+        };
+        let images: Vec<c64> = z.iter().rev().map(|z| mirrored(*z)).collect();
+        let conjugates: Vec<c64> = beta.iter().rev().map(|beta| beta.conj()).collect();
+        let places = [c64::new(-3.0, 0.5), c64::new(1.0, 8.0), z[15]];
+        for (at, is_imaginary) in places.into_iter().flat_map(|at| [(at, false), (at, true)]) {
+            for is_half in [false, true] {
+                let of = if is_half { Influence::symmetric } else { Influence::whole };
+                let [phi, psi] = written(&mut of(&z, &[corner]), n, at, is_imaginary);
+                let own: f64 = (0..n).map(|k| phi[k] * beta[k].re + psi[k] * beta[k].im).sum();
+                let mut exact = integral(&z, &beta, corner, at);
+                if is_half {
+                    exact += integral(&images, &conjugates, n - 1 - corner, at);
+                }
+                let exact = if is_imaginary { exact.im } else { exact.re };
+                assert!((own - exact).abs() < 1e-9, "{at}: {own} for {exact}");
+            }
+        }
+    }
+
+    /// β = z² is quadratic on every element: its integral is exact.
+    #[test]
+    fn a_parabola_is_integrated_exactly() {
+        let z: Vec<c64> = (0..9).map(|k| c64::new(0.2 * f64::from(k), 0.03 * f64::from(k * k))).collect();
+        let at = c64::new(0.5, -0.6);
+        let [from, to] = [z[0] - at, z[8] - at];
+        let exact = 0.5 * (to * to - from * from) + 2.0 * at * (to - from) + at * at * (to / from).ln();
+        for is_imaginary in [false, true] {
+            let [phi, psi] = written(&mut Influence::whole(&z, &[]), z.len(), at, is_imaginary);
+            let own: f64 = z.iter().enumerate().map(|(k, z)| phi[k] * (z * z).re + psi[k] * (z * z).im).sum();
+            let exact = if is_imaginary { exact.im } else { exact.re };
+            assert!((own - exact).abs() < 1e-10, "{own} for {exact}");
         }
     }
 }

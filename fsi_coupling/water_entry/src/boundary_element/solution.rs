@@ -73,7 +73,7 @@ impl EntryFlow {
             Ordering::Equal => Known::Both,
             Ordering::Greater => Known::StreamFunction,
         };
-        let contour = Contour::new(nodes, (0..n).map(known).collect());
+        let contour = Contour::new(nodes, (0..n).map(known).collect(), &[end, foot, contact]);
 
         // velocity: φ on the surfaces and along the cut, ψ = V x on the body
         let bending = self.face.is_bent().then(|| self.bending(along));

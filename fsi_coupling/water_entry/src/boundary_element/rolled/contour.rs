@@ -21,9 +21,9 @@ pub(super) struct WholeContour {
 }
 
 /// Coefficients in the equations of all nodes but the first and the last.
-fn coefficients(z: &[c64], known: &[Known]) -> Coefficients {
+fn coefficients(z: &[c64], known: &[Known], corners: &[usize]) -> Coefficients {
     let n = z.len();
-    let influence = Influence::whole(z);
+    let mut influence = Influence::whole(z, corners);
     let mut of = Coefficients::zeros(n);
     let (one, right, left) = (c64::new(1.0, 0.0), z[0].re, -z[n - 1].re);
     for j in 1..n - 1 {
@@ -41,9 +41,9 @@ fn coefficients(z: &[c64], known: &[Known]) -> Coefficients {
 
 impl WholeContour {
     /// Of the nodes `z` from the far free surface on the right to that on the left, water on the left.
-    pub fn new(z: &[c64], known: Vec<Known>) -> WholeContour {
+    pub fn new(z: &[c64], known: Vec<Known>, corners: &[usize]) -> WholeContour {
         let n = z.len();
-        let of = coefficients(z, &known);
+        let of = coefficients(z, &known, corners);
         let unknown: Vec<usize> = (0..n).filter(|&j| known[j] != Known::Both).collect();
         let contacts: Vec<usize> = (0..n).filter(|&j| known[j] == Known::Both).collect();
         let size = unknown.len() + 1;
