@@ -1,4 +1,4 @@
-//! Cauchy's integral on linear elements (THEORY EN21): one factorised matrix for the potential and for its time derivative.
+//! Cauchy's integral on quadratic elements (THEORY EN21): one factorised matrix for the potential and for its time derivative.
 
 use std::f64::consts::TAU;
 
