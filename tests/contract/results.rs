@@ -37,6 +37,30 @@ fn every_result_has_value_time_band_cutoff_raw_and_verdict() {
     assert!(place.text("out/report.html").contains("Completed with doubts"));
 }
 
+/// Panels in a flow by boundary elements: a stress that is largest at the end of the run, and loads after suction, are not quoted.
+#[test]
+fn doubts_about_panels_in_a_flow_that_was_followed() {
+    let place = Workplace::new();
+    let run = |set: &str| {
+        let sets = ["--set", "model=boundary_element", "--set", set];
+        let ended = place.run(&[&["run", "flexible_wedge", "--quiet", "--force", "--out", "out"], &sets[..]].concat());
+        assert_eq!(ended.code, Some(0), "{}", ended.message);
+        let summary = place.summary("out");
+        assert_eq!(summary["status"], "completed_with_doubts", "{set}");
+        summary
+    };
+    let doubts = |summary: &Value| summary["doubts"].to_string();
+    let early = run("time.end=0.004");
+    assert_eq!(early["results"]["panels"]["plate"]["peak_stress_Pa"]["verdict"], "not_resolved");
+    assert_eq!(early["results"]["peak_force_N_per_m"]["verdict"], "resolved");
+    assert!(doubts(&early).contains("at the end of the run"), "{}", doubts(&early));
+    let soft = run("body.panels.0.thickness=0.001");
+    let force = &soft["results"]["peak_force_N_per_m"];
+    assert_eq!(force["verdict"], "resolved", "before the suction");
+    assert_eq!(soft["results"]["impulse_N_s_per_m"]["verdict"], "not_resolved");
+    assert!(doubts(&soft).contains("suction takes up to"), "{}", doubts(&soft));
+}
+
 /// A flexible section whose stress passes its allowable one says so in status, panel and page.
 #[test]
 fn a_stress_beyond_the_allowable_one_is_the_status() {

@@ -311,3 +311,33 @@ fn at_place(places: &[[f64; 2]], x: f64) -> f64 {
     let ([x0, p0], [x1, p1]) = (places[after - 1], places[after]);
     if x0 == x1 { p1 } else { p0 + (p1 - p0) * ((x0 - x) / (x0 - x1)).clamp(0.0, 1.0) }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A force that turns in every step by a fifth of itself counts; one that rises, or turns by a hundredth, does not.
+    #[test]
+    fn a_force_that_turns_in_every_step() {
+        let forces = |turn: f64| -> Vec<[f64; 2]> {
+            (0..20).map(|k| [f64::from(k), 100.0 + f64::from(k) + if k % 2 == 0 { turn } else { -turn }]).collect()
+        };
+        assert!(chatters(&forces(10.0)));
+        assert!(!chatters(&forces(1.0)) && !chatters(&forces(0.0)));
+        assert!(!chatters(&forces(10.0)[..CHATTER]), "too few steps");
+    }
+
+    /// On each half −1 kPa over 0.2 m, and half of it over 0.2 m more, take 600 N/m off.
+    #[test]
+    fn suction_is_the_force_of_pressures_below_that_of_the_air() {
+        let pressure = |time: f64, low: f64| BottomPressure {
+            time,
+            places: vec![[0.5, 0.0], [0.3, low], [0.1, low], [0.0999, 2e3], [0.0, 2e3]],
+        };
+        let pressures = [pressure(1.0, 10.0), pressure(2.0, -1e3), pressure(3.0, -500.0)];
+        let found = suction(&[[1.0, 4000.0], [2.0, 1000.0]], &pressures).expect("more than a twentieth");
+        assert_eq!(found[0], 2.0);
+        assert!((found[1] - 0.15).abs() < 1e-3, "{found:?}");
+        assert!(suction(&[[1.0, 1e6]], &pressures).is_none());
+    }
+}

@@ -4,7 +4,7 @@ use std::time::Instant as Clock;
 
 use scene::reference::WedgeSimilarity;
 use scene::validity::panels::panel_results_within;
-use scene::vocabulary::{Doubt, Doubts, Quantity, ResultName, Results, Verdict};
+use scene::vocabulary::{Doubt, Doubts, Quantity, ResultName, Results, Status, Verdict};
 use scene::{Body, Gauge, Motion, QuantityOfInterest, Scene};
 use settings::significant;
 use water_entry::Instant;
@@ -64,6 +64,7 @@ pub(crate) fn run(
     let peak = |(name, value, time_s): (&str, f64, f64)| (name.to_string(), Peak { value, time_s, verdict: None });
     let summary = Summary {
         scene: scene.name.clone(),
+        status: Status::Completed.with(&results, !doubts.is_empty()),
         model: scene.model.name(),
         choice: scene.choice.clone(),
         host: None,
