@@ -100,7 +100,7 @@ fn mirrored(z: c64) -> c64 {
 
 impl Contour {
     /// Of the nodes `z` from the far free surface to the keel on x = 0, water on the left.
-    pub fn new(z: &[c64], known: Vec<Known>, corners: &[usize]) -> Contour {
+    pub fn new(z: &[c64], known: Vec<Known>, corners: Option<&[usize]>) -> Contour {
         let n = z.len();
         let mut influence = Influence::symmetric(z, corners);
         let mut of = Coefficients::zeros(n);

@@ -5,7 +5,6 @@ use faer::c64;
 use super::super::curve::{Piece, arcs, placed};
 use super::super::section::Section;
 use super::deflection::Deflection;
-use super::elements::GROWTH;
 
 /// Places at which the angle of the bottom is read for the thickness of the jet.
 const PLACES: usize = 16;
@@ -248,12 +247,12 @@ impl Face {
         self.pieces.iter().map(on_piece).chain([beyond]).fold([f64::INFINITY, 0.0], nearer)[1]
     }
 
-    /// Size of the elements at a distance from the keel, by the rounded knuckles [m].
-    pub fn size_at(&self, along: f64) -> f64 {
+    /// Size of the elements at a distance from the keel, by the rounded knuckles, from which they grow [m].
+    pub fn size_at(&self, along: f64, growth: f64) -> f64 {
         let rounded = self.pieces.iter().filter(|p| !p.round && (p.curvature * p.length).abs() > SHARP);
         let of = |piece: &Piece| {
             let away = (piece.at - along).max(along - piece.at - piece.length).max(0.0);
-            piece.length / ON_KNUCKLE + GROWTH * away
+            piece.length / ON_KNUCKLE + growth * away
         };
         rounded.map(of).fold(f64::INFINITY, f64::min)
     }

@@ -150,8 +150,8 @@ struct Integrals {
 }
 
 impl Influence {
-    /// Of the elements between the nodes of a whole contour; β is smooth along it between `corners`.
-    pub fn whole(z: &[c64], corners: &[usize]) -> Influence {
+    /// Of the elements between the nodes of a whole contour. β is smooth along it between `corners`, and quadratic on each element; linear without.
+    pub fn whole(z: &[c64], corners: Option<&[usize]>) -> Influence {
         let elements = Elements::new(z);
         let padded = elements.blocks.len() * LANES;
         let integrals =
@@ -160,7 +160,7 @@ impl Influence {
     }
 
     /// Of those of the right half of a symmetric contour and of their mirror images, whose β is the conjugate.
-    pub fn symmetric(z: &[c64], corners: &[usize]) -> Influence {
+    pub fn symmetric(z: &[c64], corners: Option<&[usize]>) -> Influence {
         Influence { is_half: true, ..Influence::whole(z, corners) }
     }
 
@@ -173,11 +173,11 @@ impl Influence {
 
 impl Bends {
     /// Of the nodes `z`, of which `corners` have none.
-    fn new(z: &[c64], corners: &[usize]) -> Bends {
+    fn new(z: &[c64], corners: Option<&[usize]>) -> Bends {
         let inner = z.len() - 2;
         let mut bends =
             Bends { factors: [(); 3].map(|()| zeros(z.len() + 2)), shares: [(); 2].map(|()| vec![0.0; inner]) };
-        let is_smooth = |k: usize| 0 < k && k <= inner && !corners.contains(&k);
+        let is_smooth = |k: usize| 0 < k && k <= inner && corners.is_some_and(|corners| !corners.contains(&k));
         for k in (1..=inner).filter(|k| is_smooth(*k)) {
             let [before, after] = [z[k] - z[k - 1], z[k + 1] - z[k]];
             let both = before + after;

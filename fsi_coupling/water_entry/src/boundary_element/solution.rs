@@ -6,7 +6,7 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_6, PI};
 use faer::c64;
 
 use super::cauchy::{Complex, Contour, Known};
-use super::elements::{GROWTH, graded, grown};
+use super::elements::graded;
 use super::spline::Spline;
 use super::state::EntryFlow;
 use super::surface::{FreeSurface, SurfaceFlow};
@@ -73,7 +73,9 @@ impl EntryFlow {
             Ordering::Equal => Known::Both,
             Ordering::Greater => Known::StreamFunction,
         };
-        let contour = Contour::new(nodes, (0..n).map(known).collect(), &[end, foot, contact]);
+        let corners = [end, foot, contact];
+        let corners = self.sizes.quadratic.then_some(&corners[..]);
+        let contour = Contour::new(nodes, (0..n).map(known).collect(), corners);
 
         // velocity: φ on the surfaces and along the cut, ψ = V x on the body
         let bending = self.face.is_bent().then(|| self.bending(along));
@@ -209,11 +211,12 @@ impl EntryFlow {
         let contact = z.len() - 1;
         let wetted = if underside.is_some() { face.length() } else { of_face.along };
         let [at_keel, largest] = [self.sizes.at_keel(face.place(0.0).tangent.arg()), LARGEST].map(|x| x * wetted);
-        let from_keel = |s: f64| if face.is_keeled() { at_keel + GROWTH * (wetted - s).max(0.0) } else { largest };
+        let from_keel =
+            |s: f64| if face.is_keeled() { at_keel + self.sizes.growth * (wetted - s).max(0.0) } else { largest };
         // next to a wet chine no smaller ones than on the surface that leaves it: they would need shorter steps
         let least = if underside.is_some() { size } else { 0.0 };
-        let of_knuckles = |s: f64| face.size_at(wetted - s).max(least);
-        let from_end = graded(wetted, |s| grown(size, s).min(from_keel(s)).min(largest).min(of_knuckles(s)));
+        let of_knuckles = |s: f64| face.size_at(wetted - s, self.sizes.growth).max(least);
+        let from_end = graded(wetted, |s| self.sizes.grown(size, s).min(from_keel(s)).min(largest).min(of_knuckles(s)));
         let mut along: Vec<f64> = from_end.iter().map(|s| wetted - s).collect();
         if let Some(keel) = along.last_mut() {
             *keel = 0.0;

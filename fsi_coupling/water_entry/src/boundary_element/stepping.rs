@@ -158,7 +158,7 @@ impl EntryFlow {
         let lower = self.lower_side();
         let surface = self.surface.redistributed(lower);
         let (cut, size) = (lower.nearest(surface.end()).foot, lower.finest(surface.end()));
-        let underside = self.underside.as_ref().map(|underside| underside.redistributed_below(cut, size));
+        let underside = self.underside.as_ref().map(|underside| underside.redistributed_below(cut, size, self.sizes));
         EntryFlow { surface, underside, ..self }
     }
 

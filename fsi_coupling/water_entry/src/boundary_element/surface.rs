@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use faer::c64;
 
-use super::elements::{arc_length, graded, grown};
+use super::elements::{Sizes, arc_length, graded};
 use super::lower_side::LowerSide;
 use super::spline::Spline;
 use crate::similarity::SimilarityFlow;
@@ -114,14 +114,14 @@ impl FreeSurface {
             });
         let end = kept.unwrap_or(whole);
         let (half_breadth, far) = (lower.nearest(self.end()).foot.re, lower.growth_far());
-        let mut nodes = graded(end, |q| grown(size, q) + far * (q - half_breadth).max(0.0));
+        let mut nodes = graded(end, |q| lower.sizes.grown(size, q) + far * (q - half_breadth).max(0.0));
         nodes.iter_mut().for_each(|q| *q = (end - *q).max(0.0));
         nodes.reverse();
         self.sampled(&nodes)
     }
 
     /// The surface that left the chine with its nodes redistributed, fine at both ends, from the point nearest to the jet's cut to the chine.
-    pub fn redistributed_below(&self, cut: c64, size: f64) -> FreeSurface {
+    pub fn redistributed_below(&self, cut: c64, size: f64, sizes: Sizes) -> FreeSurface {
         let FreeSurface { z, .. } = self;
         let s = arc_length(z);
         let on = |k: usize| {
@@ -132,7 +132,8 @@ impl FreeSurface {
         let nearest = (0..z.len() - 1).map(on).fold([f64::INFINITY, 0.0], |a, b| if b[0] < a[0] { b } else { a });
         let whole = s[s.len() - 1];
         let length = (whole - nearest[1]).max(0.5 * size);
-        let at = graded(length, |q| grown(size, q).min(grown(size, length - q)).min(length / LEAST_ELEMENTS));
+        let at =
+            graded(length, |q| sizes.grown(size, q).min(sizes.grown(size, length - q)).min(length / LEAST_ELEMENTS));
         self.sampled(&at.iter().map(|q| whole - length + q).collect::<Vec<_>>())
     }
 

@@ -65,7 +65,7 @@ fn factors_are_those_of_all_elements() {
     for (at, is_imaginary) in places.into_iter().flat_map(|at| [(at, false), (at, true)]) {
         for is_half in [false, true] {
             let of = if is_half { Influence::symmetric } else { Influence::whole };
-            let [phi, psi] = written(&mut of(&z, &[corner]), n, at, is_imaginary);
+            let [phi, psi] = written(&mut of(&z, Some(&[corner])), n, at, is_imaginary);
             let own: f64 = (0..n).map(|k| phi[k] * beta[k].re + psi[k] * beta[k].im).sum();
             let mut exact = integral(&z, &beta, corner, at);
             if is_half {
@@ -85,7 +85,7 @@ fn a_parabola_is_integrated_exactly() {
     let [from, to] = [z[0] - at, z[8] - at];
     let exact = 0.5 * (to * to - from * from) + 2.0 * at * (to - from) + at * at * (to / from).ln();
     for is_imaginary in [false, true] {
-        let [phi, psi] = written(&mut Influence::whole(&z, &[]), z.len(), at, is_imaginary);
+        let [phi, psi] = written(&mut Influence::whole(&z, Some(&[])), z.len(), at, is_imaginary);
         let own: f64 = z.iter().enumerate().map(|(k, z)| phi[k] * (z * z).re + psi[k] * (z * z).im).sum();
         let exact = if is_imaginary { exact.im } else { exact.re };
         assert!((own - exact).abs() < 1e-10, "{own} for {exact}");

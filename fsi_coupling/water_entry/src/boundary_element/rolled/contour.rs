@@ -21,7 +21,7 @@ pub(super) struct WholeContour {
 }
 
 /// Coefficients in the equations of all nodes but the first and the last.
-fn coefficients(z: &[c64], known: &[Known], corners: &[usize]) -> Coefficients {
+fn coefficients(z: &[c64], known: &[Known], corners: Option<&[usize]>) -> Coefficients {
     let n = z.len();
     let mut influence = Influence::whole(z, corners);
     let mut of = Coefficients::zeros(n);
@@ -41,7 +41,7 @@ fn coefficients(z: &[c64], known: &[Known], corners: &[usize]) -> Coefficients {
 
 impl WholeContour {
     /// Of the nodes `z` from the far free surface on the right to that on the left, water on the left.
-    pub fn new(z: &[c64], known: Vec<Known>, corners: &[usize]) -> WholeContour {
+    pub fn new(z: &[c64], known: Vec<Known>, corners: Option<&[usize]>) -> WholeContour {
         let n = z.len();
         let of = coefficients(z, &known, corners);
         let unknown: Vec<usize> = (0..n).filter(|&j| known[j] != Known::Both).collect();

@@ -123,7 +123,8 @@ pub(super) fn solve(sides: &[EntryFlow; 2]) -> RolledSolution {
     let mut corners = vec![counts[0] - 1];
     corners.extend([nodes[0].end, nodes[0].foot, nodes[0].contact]);
     corners.extend([nodes[1].end, nodes[1].foot, nodes[1].contact].map(|k| z.len() - 1 - k));
-    let contour = WholeContour::new(&z, (0..z.len()).map(known).collect(), &corners);
+    let contour =
+        WholeContour::new(&z, (0..z.len()).map(known).collect(), sides[0].sizes.quadratic.then_some(&corners));
     let solved = |phi: [Vec<f64>; 2], velocity: c64| {
         let psi = z.iter().map(|z| (velocity.conj() * z).im).collect();
         let mut beta = Complex { phi: joined([&phi[0], &phi[1]], |phi| phi), psi };
