@@ -268,7 +268,7 @@ impl Case {
             "loading {} ({} kg), pitch {pitch} degrees, {sink} m/s downwards, {speed}, {water}, {}",
             self.loading,
             significant(self.mass_kg),
-            if self.state == "whole" { "whole".to_string() } else { format!("state {}", self.state) }
+            if self.state == "whole" { "whole aeroplane".to_string() } else { format!("state {}", self.state) }
         )
     }
 }

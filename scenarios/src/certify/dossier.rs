@@ -9,7 +9,7 @@ use super::{Case, Plan};
 
 /// Each section of paper begins a page; rows and short tables stay whole.
 const PRINT: &str = "<style>@media print { @page { size: A4; margin: 16mm 14mm; } main > section { break-before: page; } tr { break-inside: avoid; } \
-    thead { display: table-header-group; } td { overflow-wrap: anywhere; } }</style>\n";
+    thead { display: table-header-group; } td { overflow-wrap: break-word; } }</style>\n";
 
 /// Numbers that the head shows, where they are there.
 const CARDS: [&str; 6] =

@@ -1,6 +1,6 @@
 //! Tables of the dossier.
 
-use report::run_page::quantity::{Unit, digits, with_unit};
+use report::run_page::quantity::{Unit, digits, with_unit as scaled};
 use report::{Block, Table, row};
 use settings::significant;
 
@@ -9,6 +9,11 @@ use super::{Extreme, Plan};
 
 /// Case numbers that a row shows, at most.
 const SHOWN: usize = 8;
+
+/// A number with its unit; zero has the unit itself.
+fn with_unit(value: f64, unit: &str) -> String {
+    if value == 0.0 { format!("0\u{a0}{unit}") } else { scaled(value, unit) }
+}
 
 /// Case numbers in a row.
 fn numbers(cases: &[usize]) -> String {

@@ -147,7 +147,8 @@ impl Findings {
             "{}: {} cases: {completed} completed, {doubtful} with a doubt, {failed} failed, {outside} not run",
             self.rule, self.cases
         )];
-        let loads = self.worst.iter().filter(|worst| !worst.name.starts_with("station."));
+        let loads =
+            self.worst.iter().filter(|worst| !worst.name.starts_with("station.") && worst.name != "balance_error");
         lines.extend(loads.map(|worst| {
             let value = report::run_page::quantity::with_unit(worst.extreme.value, worst.unit);
             format!("  {}: {value} in case {}", worst.title, worst.extreme.case)
@@ -174,7 +175,9 @@ fn worst(envelope: &Envelope, cases: &BTreeMap<usize, &Case>) -> Vec<Worst> {
         let words = cases.get(&extreme.case).map_or(String::new(), |case| case.words());
         Worst { name: name.clone(), title, unit, extreme, words, before_a_failure }
     };
-    names.map(of).collect()
+    let mut worst: Vec<Worst> = names.map(of).collect();
+    worst.sort_by_cached_key(|worst| Quantity::of(&worst.name).rank);
+    worst
 }
 
 fn lost(records: &[Record]) -> Vec<LostPart> {

@@ -94,15 +94,8 @@ fn run(output: &Output, plan: &Plan, out: &Path, force: bool) -> Result<u8, Stop
     ];
     tables.iter().try_for_each(|(name, text)| replace(&out.join(name), text))?;
     output.result(&found, &found.words());
-    let ran = (all - known) as f64;
-    let seconds = start.elapsed().as_secs_f64();
-    if ran > 0.0 {
-        let each = significant(seconds * threads as f64 / ran);
-        output.progress(format_args!(
-            "{ran} cases in {} s on {threads} threads: {each} core-seconds each",
-            significant(seconds)
-        ));
-    }
+    let (ran, seconds) = (all - known, significant(start.elapsed().as_secs_f64()));
+    output.progress(format_args!("{ran} cases in {seconds} s of wall time on {threads} threads"));
     if !output.json && !output.quiet {
         say(format_args!("files in {}: open certify.html", out.display()));
     }
