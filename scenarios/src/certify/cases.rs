@@ -213,7 +213,7 @@ fn out_of_range(scene: &Scene, speed: f64, path_deg: f64, sink: f64) -> Option<S
     if forward <= least {
         return Some(format!(
             "outside the model's range: a forward speed of {} m/s, and landings end at landing.least_speed, {} m/s",
-            significant(forward.max(1e-9)),
+            significant((1e6 * forward).round() / 1e6),
             significant(least)
         ));
     }

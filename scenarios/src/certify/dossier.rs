@@ -1,4 +1,4 @@
-//! `certify.html`: the dossier of a list of landings, for the screen and for paper.
+//! `certify.html`: the dossier of a list of landings, for a browser and for paper.
 
 use report::run_page::quantity::{Unit, digits, with_unit};
 use report::{Block, Card, Chart, Curve, Lead, Mark, Table, Tone, escape, lead_html, page, row};

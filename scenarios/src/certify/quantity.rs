@@ -87,8 +87,8 @@ mod tests {
     fn names_have_titles_units_and_a_worst_end() {
         let of = Quantity::of("station.12.5.bending");
         assert_eq!((of.title.as_str(), of.unit), ("Bending moment in the cut at 12.5 m", "N m"));
-        let wet = Quantity::of("flotation.aft_door.wet");
-        assert!(wet.is_worse(3.0, 5.0) && of.is_worse(-5.0, 3.0) && wet.title.contains("aft_door"));
+        let wet = Quantity::of("flotation.aft_exit.wet");
+        assert!(wet.is_worse(3.0, 5.0) && of.is_worse(-5.0, 3.0) && wet.title.contains("aft_exit"));
         assert!(Quantity::of("flotation.waterline").is_worse(-0.5, -0.7) && wet.rank < of.rank);
     }
 }

@@ -16,6 +16,7 @@ mod accelerometers;
 mod aeroplane;
 mod afloat_keys;
 mod afloat_page;
+mod certify_check;
 mod certify_keys;
 mod checked;
 mod flotation;
