@@ -28,7 +28,7 @@ girth = [0.2, 0.8]
 [[nacelles]]
 name = "engines"
 number = 2
-face = [6.0, -1.2]
+face = [10.0, -1.5]
 diameter = 0.8
 length = 2.0
 [[openings]]
@@ -257,20 +257,33 @@ fn evidence_is_that_of_the_validation() {
     }
 }
 
-/// A dive is a row with its reason and its numbers so far; where no case completes the command ends with 1 and has its files.
+/// A dive is a row with its reason and its numbers so far, which stand apart; where no case completes the command ends with 1 and has its files.
 #[test]
 fn failed_cases_are_rows() {
     let place = Workplace::new();
     small(&place);
-    let dive = ["--set", "certify={pitches_deg=[0.5],sink_speeds=[6.0],seas=[],calm=true}", "--set", "landing.end=2.0"];
-    let ended = place.run(&[&["certify", "small.toml", "--out", "dive"], &dive[..]].concat());
-    assert_eq!(ended.code, Some(1), "{}", ended.stdout);
-    ended.says(&["no case completed"]);
-    let record = json(place.text("dive/cases.jsonl").lines().nth(1).expect("a case"));
-    assert_eq!(record["ended"], "failed");
-    assert!(record["message"].as_str().is_some_and(|why| why.contains("the nose goes under")), "{record}");
-    assert!(record["numbers"]["water_force"][0].as_f64().is_some_and(|force| force > 0.0));
+    let keys = "certify={pitches_deg=[1.0],sink_speeds=[2.0],seas=[{height=4,length=60}],headings_deg=[180]}";
+    let given = ["--set", keys, "--set", "landing.end=2.0", "--json"];
+    let ended = place.run(&[&["certify", "small.toml", "--out", "dive"], &given[..]].concat());
+    assert_eq!(ended.code, Some(0), "{}", ended.message);
+    let found = json(&ended.stdout);
+    assert_eq!((&found["cases"], &found["counts"]["failed"]), (&5.into(), &1.into()), "{}", found["reasons"]);
+    let records: Vec<Value> = place.text("dive/cases.jsonl").lines().skip(1).map(json).collect();
+    let dive = records.iter().find(|record| record["ended"] == "failed").expect("a dive");
+    assert!(dive["message"].as_str().is_some_and(|why| why.contains("the nose goes under")), "{}", dive["message"]);
+    assert!(dive["numbers"]["water_force"][0].as_f64().is_some_and(|force| force > 0.0));
+    for (_, worst) in found["envelope"]["numbers"].as_object().expect("an envelope") {
+        assert_ne!(worst["case"], dive["case"], "a dive is in the envelope of completed cases");
+    }
     assert!(place.text("dive/certify.html").contains("the nose goes under"));
+    let calm = place.run(&["certify", "small.toml", "--set", "certify.seas=[]", "--list", "--json"]);
+    assert_eq!(json(&calm.stdout)["combinations"], 8, "calm water alone");
+
+    let slow = ["certify", "mercure", "--set", "certify.rule=29.563", "--out", "slow"];
+    let ended = place.run(&slow);
+    assert_eq!(ended.code, Some(1), "{}", ended.message);
+    ended.says(&["no case completed"]);
+    assert!(place.text("slow/certify.html").contains("outside the model"), "files are there");
 }
 
 /// Wrong keys: file, line, key, what was expected; nothing is written.

@@ -160,8 +160,8 @@ pub(super) fn sea(sea: &Option<SeaForm>) -> String {
 
 /// Seas beside calm water.
 fn seas(scene: &Scene, keys: &CertifyKeys) -> Result<(Vec<SeaForm>, &'static str), Problem> {
-    if !keys.seas.is_empty() {
-        let all = keys.seas.iter().enumerate().map(|(k, sea)| sea.form(&format!("certify.seas[{k}]")));
+    if let Some(seas) = &keys.seas {
+        let all = seas.iter().enumerate().map(|(k, sea)| sea.form(&format!("certify.seas[{k}]")));
         return Ok((all.collect::<Result<_, _>>()?, USER));
     }
     let own = scene.sea.and_then(|sea| match (sea.height, sea.significant_height) {

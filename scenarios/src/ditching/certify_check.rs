@@ -1,10 +1,19 @@
 //! What the table `[certify]` must keep to.
 
 use scene::source::word;
+use serde_json::{Value, json};
 use settings::{Problem, require};
 
 use super::certify_keys::FailureKeys;
 use super::model::Scene;
+
+/// A rule that is given as a number, `rule = 25.801`, as the word that it is.
+pub(super) fn settle(given: &mut Value) {
+    let rule = given.get_mut("certify").and_then(|keys| keys.get_mut("rule"));
+    if let Some((rule, number)) = rule.and_then(|rule| rule.as_f64().map(|number| (rule, number))) {
+        *rule = json!(number.to_string());
+    }
+}
 
 /// Lists of numbers: key, values, least and most allowed.
 type Listed<'a> = (&'a str, &'a Option<Vec<f64>>, [f64; 2]);
@@ -27,10 +36,15 @@ pub(super) fn check(scene: &Scene) -> Result<(), Problem> {
             require((least..=most).contains(value), &format!("certify.{name}[{k}]"), value, expected)?;
         }
     }
-    for (k, sea) in keys.seas.iter().enumerate() {
+    for (k, sea) in keys.seas.iter().flatten().enumerate() {
         sea.form(&format!("certify.seas[{k}]"))?;
     }
-    require(keys.calm || !keys.seas.is_empty(), "certify.calm", "false", "true, or [[certify.seas]]")?;
+    require(
+        keys.calm || keys.seas.as_ref().is_none_or(|seas| !seas.is_empty()),
+        "certify.calm",
+        "false",
+        "true, or [[certify.seas]]",
+    )?;
     let whole = keys.intact || !keys.failures.is_empty();
     require(whole, "certify.intact", "false", "true, or [[certify.failures]]")?;
     let mut known: Vec<&str> = Vec::new();

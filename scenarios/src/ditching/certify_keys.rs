@@ -38,9 +38,9 @@ pub struct CertifyKeys {
     pub phases_deg: Option<Vec<f64>>,
     /// Calm water is one of the seas.
     pub calm: bool,
-    /// Seas beside calm water.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub seas: Vec<SeaStateKeys>,
+    /// Seas beside calm water; an empty list: none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub seas: Option<Vec<SeaStateKeys>>,
     /// The whole aeroplane is one of the states.
     pub intact: bool,
     /// States with parts lost before the first touch.
@@ -63,7 +63,7 @@ impl Default for CertifyKeys {
             headings_deg: None,
             phases_deg: None,
             calm: true,
-            seas: Vec::new(),
+            seas: None,
             intact: true,
             failures: Vec::new(),
             cases: None,

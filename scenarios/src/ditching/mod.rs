@@ -84,6 +84,7 @@ pub fn load_text(name: &str, text: &str, sets: &[String]) -> Result<Scene, Scene
 
 fn loaded(source: &Source) -> Result<Scene, SceneError> {
     let mut given = source.read()?;
+    certify_check::settle(&mut given);
     outlines::settle(&mut given, &source.name).map_err(|problem| source.error(problem))?;
     let scene = Draft::of(&given, schema()).and_then(|draft| read(&draft));
     scene.and_then(checked).map_err(|problem| source.error(problem))
