@@ -8,6 +8,7 @@ mod command;
 mod accuracy;
 mod bench;
 mod bits;
+mod certify;
 mod chart;
 mod converge;
 mod decisions;

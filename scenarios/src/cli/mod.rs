@@ -2,6 +2,7 @@
 
 mod about;
 mod bench;
+mod certify;
 mod decisions;
 mod ditch;
 mod experiments;
@@ -85,6 +86,8 @@ enum Command {
     Scatter(scatter::ScatterArgs),
     /// Land an aeroplane on water by its sections (2D+t).
     Ditch(ditch::DitchArgs),
+    /// Run the landings that a ditching rule asks for: envelopes, worst cases, a dossier.
+    Certify(certify::CertifyArgs),
     /// Compute the steady load of a hull that planes, as in a towing tank.
     Plane(plane::PlaneArgs),
     /// Measure the speed of this machine and of the steps on it, as ratios in one run.
@@ -213,6 +216,7 @@ fn start(cli: &Cli, program: &[OsString]) -> Result<u8, Stop> {
         Command::Fit(args) => fit::run_fit(output, args),
         Command::Scatter(args) => scatter::run_scatter(output, args),
         Command::Ditch(args) => ditch::run_ditch(output, args),
+        Command::Certify(args) => certify::run_certify(output, args),
         Command::Plane(args) => plane::run_plane(output, args),
         Command::Bench(args) => bench::run_bench(output, args),
         Command::Report(args) => report::make_report(output, args),

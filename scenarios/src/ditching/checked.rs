@@ -5,6 +5,7 @@ use settings::{Problem, require};
 use water_entry::ditching::{Aeroplane, Fuselage, FuselageError, Hull, Landing, OF_LANDINGS};
 
 use super::aeroplane::aeroplane;
+use super::certify_check;
 use super::flotation;
 use super::model::{LandingKeys, Scene};
 use super::sea;
@@ -40,6 +41,7 @@ pub(super) fn checked(mut scene: Scene) -> Result<Scene, Problem> {
     assumptions(&scene)?;
     windows(&scene.windows, &hull, scene.model)?;
     flotation::check(&scene)?;
+    certify_check::check(&scene)?;
     sea::check(&scene, hull.fuselage())?;
     sea::touched(&scene, &untouched(&scene, aeroplane(&scene)?, &hull))?;
     Ok(scene)

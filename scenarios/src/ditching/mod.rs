@@ -16,6 +16,8 @@ mod accelerometers;
 mod aeroplane;
 mod afloat_keys;
 mod afloat_page;
+mod certify_check;
+mod certify_keys;
 mod checked;
 mod flotation;
 mod landed;
@@ -49,6 +51,7 @@ use settings::Problem;
 use water_entry::ditching::Wing;
 
 pub use afloat_keys::{FlotationKeys, OpeningKeys, StrutKeys};
+pub use certify_keys::{CertifyKeys, FailureKeys, LoadingKeys, MOST_CASES, RuleKey, SeaForm, SeaStateKeys};
 pub use flotation::{Flotation, SillTime};
 pub use landed::{Landed, Structure, Summary, follow};
 pub use loads::{Accelerometer, PartLoad, StationLoad};
@@ -81,6 +84,7 @@ pub fn load_text(name: &str, text: &str, sets: &[String]) -> Result<Scene, Scene
 
 fn loaded(source: &Source) -> Result<Scene, SceneError> {
     let mut given = source.read()?;
+    certify_check::settle(&mut given);
     outlines::settle(&mut given, &source.name).map_err(|problem| source.error(problem))?;
     let scene = Draft::of(&given, schema()).and_then(|draft| read(&draft));
     scene.and_then(checked).map_err(|problem| source.error(problem))
@@ -103,6 +107,8 @@ fn read(draft: &Draft) -> Result<Scene, Problem> {
     each("accelerometers").iter().try_for_each(|item| draft.read::<AccelerometerKeys>(item).map(drop))?;
     draft.is_given("beam").then(|| draft.read::<BeamKeys>("beam")).transpose()?;
     draft.is_given("sea").then(|| draft.read::<SeaKeys>("sea")).transpose()?;
+    each("certify.loadings").iter().try_for_each(|item| draft.read::<LoadingKeys>(item).map(drop))?;
+    each("certify.failures").iter().try_for_each(|item| draft.read::<FailureKeys>(item).map(drop))?;
     each("masses").iter().try_for_each(|item| draft.read::<MassKeys>(item).map(drop))?;
     draft.read("")
 }

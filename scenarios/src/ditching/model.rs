@@ -9,6 +9,7 @@ use water_entry::EntryModel;
 use water_entry::ditching::{Water, Wing};
 
 use super::afloat_keys::{FlotationKeys, OpeningKeys, StrutKeys};
+use super::certify_keys::CertifyKeys;
 use super::parts::{AccelerometerKeys, BeamKeys, MassKeys, NacelleKeys, PanelKeys, SurfaceKeys};
 use super::sea_keys::SeaKeys;
 use super::stations::StationKeys;
@@ -82,6 +83,9 @@ pub struct Scene {
     /// The fuselage bends.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub beam: Option<BeamKeys>,
+    /// Landings that a rule asks for; `splashdown ditch` leaves them out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub certify: Option<CertifyKeys>,
 }
 
 /// Models whose load of a section is a formula of its depth and speed.
