@@ -119,7 +119,7 @@ class Browser:
         self.call("Input.dispatchKeyEvent", type="keyUp", **of_key)
 
     def write(self, text):
-        """Type a text into what has the focus."""
+        """Type a text into the active element."""
         self.call("Input.insertText", text=text)
 
     def mouse(self, kind, x, y, **more):
