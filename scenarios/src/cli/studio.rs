@@ -33,7 +33,8 @@ pub(super) struct StudioArgs {
 }
 
 pub(super) fn run_studio(output: &Output, args: &StudioArgs, program: &[OsString]) -> Result<u8, Stop> {
-    let scenes = TEMPLATES.iter().filter(|(name, _)| *name != "ditching").map(|(name, text)| (format!("new {name}"), text));
+    let scenes =
+        TEMPLATES.iter().filter(|(name, _)| *name != "ditching").map(|(name, text)| (format!("new {name}"), text));
     let builtin = scene::builtin().iter().map(|(name, text)| ((*name).to_string(), text));
     let examples = scenes.chain(builtin).map(|(name, text)| (name, (*text).to_string())).collect();
     let (text, file, beside) = opened(args.scene.as_deref())?;

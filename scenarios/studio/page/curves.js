@@ -64,12 +64,12 @@ const answers = {
 
   quote(answer) {
     const box = $("quote"), quote = answer?.quote;
-    box.className = `quote ${!quote ? "" : { resolved: quote.share > 0.3 ? "care" : "good", no_band: "care" }[quote.verdict] || "bad"}`;
+    box.className = `quote ${!quote ? "" : scene.error ? "care" : { resolved: quote.share > 0.3 ? "care" : "good", no_band: "care" }[quote.verdict] || "bad"}`;
     const wrong = scene.error ? "The scene has a mistake: see Keys. The number is that of the last scene without one." : "";
     const doubts = (answer?.doubts || []).map((text) => `Doubt: ${text}`);
     const put = (id, text) => { if ($(id).textContent !== text) $(id).textContent = text; };
     put("number", quote ? quote.number : "–");
-    put("by", quote ? `${quote.by}${this.flowing ? "; boundary elements are being computed" : ""}` : this.flowing ? "being computed" : "No theory follows this scene: run it by particles.");
+    put("by", quote ? `${quote.by}${this.flowing ? "; boundary elements are being computed" : ""}` : this.flowing ? "being computed" : [...this.all.values()].some((own) => own.ok && !own.old) ? "No model has a peak force that can be quoted here: see the curves, or run it by particles." : "No theory follows this scene: run it by particles.");
     put("verdict", wrong || quote?.verdict_in_words || "");
     $("others").replaceChildren(...[...(quote?.others || []), ...doubts].map((text) => make("li", {}, text)));
   },
@@ -79,12 +79,18 @@ const answers = {
       const found = answer.results.find((result) => result.name === name);
       return make("td", { class: "value" }, found ? found.text : "–", found && found.verdict !== "resolved" ? make("small", {}, ` ${found.verdict_words}`) : "");
     };
-    const rows = [...this.all].map(([key, answer]) => make("tr", { class: key === best ? "best" : "" }, make("th", { scope: "row" }, key.startsWith("run ") ? `${key}, ${answer.title}` : answer.title),
-      ...(answer.ok ? [cell(answer, "peak_force_N_per_m"), cell(answer, "peak_acceleration_g")] : [make("td", { colspan: 2 }, make("small", {}, `holds not: ${answer.why}`.replace("holds not: holds for", "holds for")))])));
+    const row = (key, title, ...cells) => make("tr", { class: key === best ? "best" : "" }, make("th", { scope: "row" }, title), ...cells);
+    const rows = [...this.all].filter(([, answer]) => answer.ok).map(([key, answer]) =>
+      row(key, key.startsWith("run ") ? `${key}, ${answer.title}` : answer.title, cell(answer, "peak_force_N_per_m"), cell(answer, "peak_acceleration_g")));
+    const silent = Map.groupBy([...this.all.values()].filter((answer) => !answer.ok), (answer) => answer.why);
+    for (const [why, models] of silent) rows.push(row(null, models.map((answer) => answer.title).join(", "), make("td", { colspan: 2 }, make("small", {}, why))));
     const head = make("tr", {}, ...["Model", "Peak force", "Peak acceleration"].map((title) => make("th", { scope: "col" }, title)));
     $("models").replaceChildren(make("thead", {}, head), make("tbody", {}, ...rows));
   },
 };
+
+/** Width of a drawing, so that its letters are read on a narrow page too [pixels]. */
+const room = () => Math.max(320, Math.min(720, $("curves").clientWidth || 640));
 
 /** Ticks of an axis: round numbers. */
 function ticks(low, high, count) {
@@ -96,7 +102,7 @@ function ticks(low, high, count) {
 
 /** Curves over a common axis; the place under the pointer is read out. */
 function chart(title, xTitle, xSi, curves, bands = []) {
-  const width = 640, height = 240, [left, right, top, bottom] = [64, 12, 12, 36];
+  const width = room(), height = 240, [left, right, top, bottom] = [64, 12, 12, 36];
   const finite = (values) => values.filter((value) => value != null && Number.isFinite(value));
   const bounds = (values, zero) => {
     let [low, high] = [Math.min(...values), Math.max(...values)];
@@ -110,7 +116,7 @@ function chart(title, xTitle, xSi, curves, bands = []) {
   const px = (x) => left + ((x - x0) / (x1 - x0)) * (width - left - right), py = (y) => height - bottom - ((y - y0) / (y1 - y0)) * (height - top - bottom);
   const heading = `${title} [${uy.name || "–"}] over ${xTitle.toLowerCase()} [${ux.name || "–"}]`;
   const svg = make("svg", { viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": heading });
-  for (const x of ticks(x0 * ux.scale, x1 * ux.scale, 6)) {
+  for (const x of ticks(x0 * ux.scale, x1 * ux.scale, width / 100)) {
     const at = px(x / ux.scale);
     svg.append(make("line", { class: "axis", x1: at, x2: at, y1: top, y2: height - bottom }), make("text", { x: at, y: height - bottom + 15, "text-anchor": "middle" }, digits(x)));
   }

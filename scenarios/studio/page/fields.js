@@ -15,7 +15,8 @@ const fields = {
     this.resolved = view.resolved || this.resolved;
     const error = view.error, keys = Object.keys(this.written);
     let at = error?.key;
-    while (at && !keys.includes(at) && !this.word(at)) at = at.replace(/(\[\d+\]|\.[^.[]+)$/, (part) => (part === at ? "" : ""));
+    // an error of an item belongs to the nearest key above it
+    while (at && !keys.includes(at) && !this.word(at)) at = /[.[]/.test(at) ? at.replace(/(\[\d*\]|[.[][^.[]*)$/, "") : null;
     if (at && /\[\d+\]$/.test(at) && !keys.includes(at)) at = at.replace(/\[\d+\]$/, "");
     if (at && !keys.includes(at) && this.word(at)) keys.push(at);
     const groups = Map.groupBy(keys, (key) => this.group(key));
@@ -143,7 +144,7 @@ const fields = {
           field.inputs.push(input);
         });
       }
-      if (!absent && !/^required$/.test(word.default)) inputs.append(make("button", { class: "remove", type: "button", title: `Remove ${key}`, "aria-label": `Remove ${key}`, onclick: () => change([{ key, value: null }]) }, "×"));
+      if (!absent && !/^required/.test(word.default)) inputs.append(make("button", { class: "remove", type: "button", title: `Remove ${key}`, "aria-label": `Remove ${key}`, onclick: () => change([{ key, value: null }]) }, "×"));
     };
 
     /** The range of a slider about a value, within what the key takes. */
@@ -161,6 +162,7 @@ const fields = {
       const kind = word.takes.includes(" | ") || word.takes === "true or false" ? "choice" : /^\[\s*\[/.test(text) || text.length > 60 ? "long" : numbers ? `numbers${numbers.length}` : "text";
       if (kind !== field.kind && !(field.kind && inputs.contains(document.activeElement) && kind === "text")) {
         field.kind = kind;
+        node.classList.toggle("pair", /^numbers[23]/.test(kind));
         node.classList.toggle("long", kind === "long" || (kind === "text" && text.length > 14));
         build(text, kind.startsWith("numbers") ? numbers : null);
       }

@@ -100,4 +100,9 @@ $("undo").addEventListener("click", () => {
   if (text !== undefined) replace(text).then(() => { scene.kept = 0; });
 });
 
+window.addEventListener("resize", () => {
+  clearTimeout(scene.resized);
+  scene.resized = setTimeout(() => { section.draw(); answers.show(); grid.draw(); }, 150);
+});
+
 begin().catch((error) => { $("scene_error").textContent = error.message; });

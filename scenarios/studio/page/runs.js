@@ -69,7 +69,7 @@ const runs = {
     if (run.state === "ended") {
       const box = make("input", { type: "checkbox", "aria-label": `Compare ${run.name}`, disabled: !run.has_results, onchange: () => { this.ticked[box.checked ? "add" : "delete"](run.name); $("compare").disabled = this.ticked.size < 2; } });
       box.checked = this.ticked.has(run.name);
-      const peak = run.peak == null ? "" : `, peak force ${withUnit(run.peak, "N/m")}`;
+      const peak = run.peak == null || !run.has_results ? "" : `, peak force ${withUnit(run.peak, "N/m")}`;
       line.append(box, make("b", {}, run.name), make("span", {}, `${run.model}: ${run.words}${peak}`));
       if (run.report) line.append(make("button", { onclick: () => this.frame(`Report of ${run.name}`, `/runs/${run.name}/report.html`) }, "Report"));
       if (run.message) node.append(make("p", { class: "error" }, run.message));

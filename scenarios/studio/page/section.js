@@ -1,7 +1,7 @@
 /* The section as a drawing; the points of an outline are moved, added and removed. */
 const section = {
   host: $("section"), points: null, chosen: 0, dragging: null, shown: null, body: null,
-  width: 720, margin: 46,
+  margin: 46,
 
   /** Show the section of a scene. */
   show(shown) {
@@ -11,7 +11,6 @@ const section = {
     if (!this.dragging) {
       this.points = body && ["polygon", "polyline"].includes(body.shape) ? body.points.map((p) => [...p]) : null;
       if (this.points) $("mirror").disabled = !this.symmetric();
-      if (this.points && !this.symmetric()) $("mirror").checked = false;
     }
     this.draw();
   },
@@ -22,6 +21,7 @@ const section = {
     const xs = this.points.map((p) => p[0]), ys = this.points.map((p) => p[1]);
     return Math.max(Math.max(...xs) - Math.min(...xs), Math.max(...ys) - Math.min(...ys), 1e-9);
   },
+  mirrored() { return $("mirror").checked && !$("mirror").disabled; },
   /** The index of a point's mirror image, itself on the axis; −1 without one. */
   image(k) {
     const [x, y] = this.points[k], near = 1e-6 * this.size();
@@ -30,6 +30,7 @@ const section = {
 
   frame() {
     const { bodies, tank } = this.shown;
+    this.width = room();
     let all = bodies.flatMap((body) => body.outline);
     if (!all.length) all = [[-tank.width / 2, -tank.depth], [tank.width / 2, tank.height - tank.depth]];
     const [xs, ys] = [0, 1].map((i) => all.map((p) => p[i]));
@@ -115,7 +116,7 @@ const section = {
   move(k, [x, y]) {
     const step = 10 ** Math.floor(Math.log10(this.size() / 1000));
     const rounded = [x, y].map((v) => +(Math.round(v / step) * step).toPrecision(8));
-    const image = $("mirror").checked ? this.image(k) : -1;
+    const image = this.mirrored() ? this.image(k) : -1;
     if (image === k) rounded[0] = 0;
     this.points[k] = rounded;
     if (image >= 0 && image !== k) this.points[image] = [-rounded[0], rounded[1]];
@@ -161,7 +162,7 @@ const section = {
     const at = place || [0, 1].map((i) => (this.points[k][i] + this.points[next][i]) / 2);
     const rounded = at.map((v) => +v.toPrecision(6));
     // the image of the side from k to next begins at the image of next
-    const image = $("mirror").checked ? this.image(next) : -1;
+    const image = this.mirrored() ? this.image(next) : -1;
     if (image === k) rounded[0] = 0;
     this.points = this.points.flatMap((p, i) => (i === k ? [p, rounded] : i === image ? [p, [-rounded[0], rounded[1]]] : [p]));
     this.choose(this.points.indexOf(rounded));
@@ -181,7 +182,7 @@ const section = {
     this.add(sides[0], at);
   },
   remove(k) {
-    const image = $("mirror").checked ? this.image(k) : -1;
+    const image = this.mirrored() ? this.image(k) : -1;
     const gone = new Set([k, ...(image >= 0 ? [image] : [])]);
     if (this.points.length - gone.size < 3) return;
     this.points = this.points.filter((_, i) => !gone.has(i));
@@ -208,8 +209,14 @@ const section = {
   },
 };
 
-/** Points of a shape that are needed: those on a straight line are left out. */
+/** Points of a shape that are needed: those on a straight line are left out, and most of those on an arc. */
 function corners(points) {
+  const every = Math.ceil(points.length / 48), lowest = points.reduce((low, p, k) => (p[1] < points[low][1] ? k : low), 0);
+  const turn = ([x, y], a, b) => Math.abs(Math.atan2((x - a[0]) * (b[1] - y) - (y - a[1]) * (b[0] - x), (x - a[0]) * (b[0] - x) + (y - a[1]) * (b[1] - y)));
+  const needed = points.filter((p, k) => (k - lowest) % every === 0 || turn(p, points.at(k - 1), points[(k + 1) % points.length]) > 0.3);
+  return straightened(needed);
+}
+function straightened(points) {
   return points.filter(([x, y], k) => {
     const [a, b] = [points.at(k - 1), points[(k + 1) % points.length]];
     return Math.abs((x - a[0]) * (b[1] - a[1]) - (y - a[1]) * (b[0] - a[0])) > 1e-9 * Math.hypot(b[0] - a[0], b[1] - a[1]) ** 2;
@@ -218,7 +225,6 @@ function corners(points) {
 
 $("as_points").addEventListener("click", () => {
   section.points = corners(section.body.points.map((p) => p.map((v) => +v.toPrecision(6))));
-  $("mirror").checked = section.symmetric();
   section.replace(section.points);
 });
 $("add_point").addEventListener("click", () => section.add(section.chosen));
@@ -246,8 +252,7 @@ $("import").addEventListener("change", async (event) => {
     $("import_error").textContent = error || "";
     if (points) {
       section.points = points;
-      $("mirror").checked = section.symmetric();
-      section.replace(points);
+          section.replace(points);
     }
   } catch (error) {
     $("import_error").textContent = error.message;

@@ -1,6 +1,7 @@
 //! What a model says of a scene: curves, results with band and verdict, the number to quote in words.
 
 use std::path::Path;
+use std::thread;
 
 use report::COARSE;
 use report::run_page::quantity::with_unit;
@@ -20,9 +21,14 @@ const MOST_ROWS: usize = 400;
 const CURVES: [(&str, &str, &str); 3] =
     [(".fy_N_per_m", "Force", "N/m"), (".vy_m_per_s", "Speed", "m/s"), (".ay_m_per_s2", "Acceleration", "m/s²")];
 
-/// The formulas, from the simplest.
-pub fn formulas() -> impl Iterator<Item = EntryModel> {
-    EntryModel::ALL.into_iter().filter(|model| model.is_formula())
+/// The answers of all formulas, from the simplest.
+pub fn of_formulas(folder: &Path, text: &str) -> Vec<Value> {
+    let formulas: Vec<EntryModel> = EntryModel::ALL.into_iter().filter(|model| model.is_formula()).collect();
+    thread::scope(|scope| {
+        let asked: Vec<_> = formulas.iter().map(|model| scope.spawn(move || of_theory(folder, text, *model))).collect();
+        let answers = asked.into_iter().zip(&formulas);
+        answers.map(|(asked, model)| asked.join().unwrap_or_else(|_| none(model.name(), "it broke down"))).collect()
+    })
 }
 
 /// A model in words.
@@ -48,7 +54,7 @@ pub fn with_model(text: &str, model: &str) -> Result<String, EditError> {
 }
 
 /// The answer of a theory, computed here.
-pub fn of_theory(folder: &Path, text: &str, model: EntryModel) -> Value {
+fn of_theory(folder: &Path, text: &str, model: EntryModel) -> Value {
     let name = model.name();
     let loaded = match with_model(text, name).map(|text| load(folder, &text, &[])) {
         Err(error) => return none(name, &error.why),
@@ -75,7 +81,8 @@ pub fn refused(model: &str, error: &SceneError) -> Value {
     let mistake = mistake(error);
     // of a theory outside its range, the range
     let range = mistake["expected"].as_str().and_then(|expected| expected.strip_prefix("a scene it holds for: "));
-    none(model, range.or(mistake["message"].as_str()).unwrap_or_default())
+    let range = range.map(|range| format!("holds for {range}"));
+    none(model, range.as_deref().or(mistake["message"].as_str()).unwrap_or_default())
 }
 
 /// The answer in the folder of a run.
@@ -84,7 +91,8 @@ pub fn refused(model: &str, error: &SceneError) -> Value {
 /// The folder holds no whole run.
 pub fn of_folder(dir: &Path) -> Result<Value, String> {
     let read = |name: &str| std::fs::read_to_string(dir.join(name)).map_err(|cause| format!("{name}: {cause}"));
-    let summary: Value = serde_json::from_str(&read("summary.json")?).map_err(|cause| format!("summary.json: {cause}"))?;
+    let summary: Value =
+        serde_json::from_str(&read("summary.json")?).map_err(|cause| format!("summary.json: {cause}"))?;
     let series = read("series.csv")?;
     let mut lines = series.lines();
     let columns: Vec<String> = lines.next().unwrap_or_default().split(',').map(String::from).collect();
@@ -100,7 +108,8 @@ fn answer(summary: &Value, columns: &[String], rows: &[Vec<f64>]) -> Value {
     let place = |end: &str| columns.iter().position(|column| column.ends_with(end));
     let every = rows.len().div_ceil(MOST_ROWS).max(1);
     let shown = || rows.iter().enumerate().filter(|(k, _)| k % every == 0 || k + 1 == rows.len()).map(|(_, row)| row);
-    let finite = |k: usize| shown().map(|row| row.get(k).copied().filter(|value| value.is_finite())).collect::<Vec<_>>();
+    let finite =
+        |k: usize| shown().map(|row| row.get(k).copied().filter(|value| value.is_finite())).collect::<Vec<_>>();
     let curve = |(end, title, si): &(&str, &str, &str)| {
         place(end).map(|k| json!({"title": title, "si": si, "values": finite(k)}))
     };

@@ -44,8 +44,9 @@ pub fn apply(text: &str, edits: &[Edit]) -> Result<String, EditError> {
     if edits.is_empty() {
         return Ok(text.to_string());
     }
-    let mut document: DocumentMut =
-        text.parse().map_err(|error: toml_edit::TomlError| EditError { key: None, why: error.message().to_string() })?;
+    let mut document: DocumentMut = text
+        .parse()
+        .map_err(|error: toml_edit::TomlError| EditError { key: None, why: error.message().to_string() })?;
     for edit in edits {
         let steps: Vec<Segment<'_>> = segments(&edit.key).collect();
         let value = edit.value.as_deref().map(|text| value(&edit.key, text));

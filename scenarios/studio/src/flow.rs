@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 use std::ffi::OsString;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::sync::{Mutex, PoisonError};
 use std::thread::sleep;
@@ -13,8 +13,8 @@ use serde_json::{Value, json};
 
 use crate::answers::{none, of_folder, refused, with_model};
 use crate::edit::{Edit, apply};
-use crate::guard::random_word;
 use crate::scene_view::load;
+use crate::scratch::Scratch;
 
 /// Longest time of a flow.
 const LONGEST: Duration = Duration::from_secs(300);
@@ -24,25 +24,6 @@ const PAUSE: Duration = Duration::from_millis(5);
 #[derive(Debug, Default)]
 pub struct Flows {
     newest: Mutex<HashMap<String, u64>>,
-}
-
-/// A folder that is gone with the value.
-struct Scratch(PathBuf);
-
-impl Scratch {
-    fn new() -> Result<Scratch, String> {
-        let word = random_word().map_err(|cause| cause.to_string())?;
-        let path = std::env::temp_dir().join(format!("splashdown-{word}"));
-        std::fs::create_dir(&path).map_err(|cause| format!("{}: {cause}", path.display()))?;
-        Ok(Scratch(path))
-    }
-}
-
-impl Drop for Scratch {
-    fn drop(&mut self) {
-        // what cannot be removed is left to the system
-        let _ = std::fs::remove_dir_all(&self.0);
-    }
 }
 
 /// Ends its process.

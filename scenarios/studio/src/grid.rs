@@ -76,7 +76,9 @@ impl Grids {
         let count = asked.ranges.iter().map(|range| range.count).try_fold(1usize, usize::checked_mul);
         let finite = asked.ranges.iter().all(|range| range.from.is_finite() && range.to.is_finite());
         let Some(count) = count.filter(|count| finite && (1..=MOST_POINTS).contains(count)) else {
-            return refuse(format!("expected ranges of 1 to {MOST_POINTS} points together, with numbers at their ends"));
+            return refuse(format!(
+                "expected ranges of 1 to {MOST_POINTS} points together, with numbers at their ends"
+            ));
         };
         let text = match with_model(&asked.text, model.name()) {
             Ok(text) => text,

@@ -10,16 +10,17 @@ mod flow;
 mod grid;
 mod guard;
 mod http;
+mod options;
 mod outline;
 mod page;
 mod picture;
 mod routes;
 mod runs;
 mod scene_view;
+mod scratch;
+mod shared;
 
-use std::ffi::OsString;
 use std::net::{Ipv4Addr, TcpListener, TcpStream};
-use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::thread;
@@ -29,7 +30,9 @@ use flow::Flows;
 use grid::Grids;
 use guard::Guard;
 use http::{Answer, Refusal, read_body, read_head};
+pub use options::Options;
 use runs::Runs;
+use shared::Shared;
 
 /// Requests that are answered at the same time, at most.
 const MOST_REQUESTS: usize = 64;
@@ -49,36 +52,6 @@ pub enum StudioError {
     Random(getrandom::Error),
 }
 
-/// What a studio is given.
-#[derive(Clone, Debug, Default)]
-pub struct Options {
-    /// Folder of the scene's files; runs lie in `runs` below it.
-    pub folder: PathBuf,
-    /// Port; with 0 the system chooses one.
-    pub port: u16,
-    /// The scene's text at the start.
-    pub text: String,
-    /// Name of the file that a download of the scene gets.
-    pub file: String,
-    /// Names and texts of scenes to begin with.
-    pub examples: Vec<(String, String)>,
-    /// Starts this program as a process of its own.
-    pub program: Vec<OsString>,
-}
-
-/// What all requests share.
-struct Shared {
-    guard: Guard,
-    folder: PathBuf,
-    text: String,
-    file: String,
-    examples: Vec<(String, String)>,
-    program: Vec<OsString>,
-    runs: Runs,
-    flows: Flows,
-    grids: Grids,
-}
-
 /// A server of the page.
 pub struct Studio {
     listener: TcpListener,
@@ -91,15 +64,14 @@ impl Studio {
     /// # Errors
     /// The port cannot be had, or there are no random numbers.
     pub fn open(options: Options) -> Result<Studio, StudioError> {
-        let Options { folder, port, text, file, examples, program } = options;
+        let port = options.port;
         let wrong = |cause| StudioError::Port(port, cause);
         let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, port)).map_err(wrong)?;
         listener.set_nonblocking(true).map_err(wrong)?;
         let own = listener.local_addr().map_err(wrong)?.port();
         let guard = Guard::new(own).map_err(StudioError::Random)?;
-        let runs = Runs::new(&folder);
-        let (flows, grids) = (Flows::default(), Grids::default());
-        let shared = Shared { guard, folder, text, file, examples, program, runs, flows, grids };
+        let (runs, flows, grids) = (Runs::new(&options.folder), Flows::default(), Grids::default());
+        let shared = Shared { guard, options, runs, flows, grids };
         Ok(Studio { listener, shared: Arc::new(shared) })
     }
 
@@ -128,7 +100,7 @@ impl Studio {
             open.fetch_add(1, Ordering::Relaxed);
             thread::spawn(move || {
                 let _open = Open(open);
-                shared.answer(&mut stream);
+                answer(&shared, &mut stream);
             });
         }
         self.shared.grids.end();
@@ -147,21 +119,19 @@ impl Drop for Open {
     }
 }
 
-impl Shared {
-    fn answer(&self, stream: &mut TcpStream) {
-        let ready = stream.set_nonblocking(false).and_then(|()| stream.set_read_timeout(Some(PATIENCE)));
-        if ready.and_then(|()| stream.set_write_timeout(Some(PATIENCE))).is_err() {
-            return;
-        }
-        let answer = match read_head(stream) {
-            Ok(None) => return,
-            Ok(Some(head)) => self
-                .guard
-                .admit(&head)
-                .and_then(|()| read_body(&head, stream))
-                .and_then(|body| routes::answer(self, &head, &body)),
-            Err(refusal) => Err(refusal),
-        };
-        answer.unwrap_or_else(Answer::from).send(stream);
+fn answer(shared: &Shared, stream: &mut TcpStream) {
+    let ready = stream.set_nonblocking(false).and_then(|()| stream.set_read_timeout(Some(PATIENCE)));
+    if ready.and_then(|()| stream.set_write_timeout(Some(PATIENCE))).is_err() {
+        return;
     }
+    let answer = match read_head(stream) {
+        Ok(None) => return,
+        Ok(Some(head)) => shared
+            .guard
+            .admit(&head)
+            .and_then(|()| read_body(&head, stream))
+            .and_then(|body| routes::answer(shared, &head, &body)),
+        Err(refusal) => Err(refusal),
+    };
+    answer.unwrap_or_else(Answer::from).send(stream);
 }

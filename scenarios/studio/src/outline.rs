@@ -4,7 +4,7 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 
-use crate::guard::random_word;
+use crate::scratch::Scratch;
 
 /// Endings of files with points.
 const ENDINGS: [&str; 5] = ["csv", "txt", "dat", "dxf", "svg"];
@@ -24,21 +24,14 @@ fn points(name: &str, unit: Option<&str>, content: &[u8]) -> Result<Vec<[f64; 2]
     if !ENDINGS.contains(&ending.as_str()) {
         return Err(format!("{name}: expected a file that ends in .{}", ENDINGS.join(", .")));
     }
-    let word = random_word().map_err(|cause| cause.to_string())?;
-    let folder = std::env::temp_dir().join(format!("splashdown-{word}"));
-    let file = format!("{NAME}.{ending}");
-    let kept = std::fs::create_dir(&folder).and_then(|()| std::fs::write(folder.join(&file), content));
+    let (scratch, file) = (Scratch::new()?, format!("{NAME}.{ending}"));
+    std::fs::write(scratch.0.join(&file), content).map_err(|cause| cause.to_string())?;
     let unit = unit.filter(|unit| !unit.is_empty()).map(Value::from);
     let asked = unit.as_ref().map(|unit| ("body.outline_unit", unit));
-    let scene = folder.join("scene.toml");
-    let points = kept.map_err(|cause| cause.to_string()).and_then(|()| {
-        let found = scene::outline_of_section(&scene.to_string_lossy(), "body.outline", &file, asked);
-        // a reader knows the name that the file had
-        found.map_err(|problem| problem.to_string().replace(&file, name))
-    });
-    // what cannot be removed is left to the system
-    let _ = std::fs::remove_dir_all(&folder);
-    points
+    let found =
+        scene::outline_of_section(&scratch.0.join("scene.toml").to_string_lossy(), "body.outline", &file, asked);
+    // a reader knows the name that the file had
+    found.map_err(|problem| problem.to_string().replace(&file, name))
 }
 
 #[cfg(test)]

@@ -65,8 +65,7 @@ impl LiveFrame {
         self.asked.store(born.elapsed().as_millis() as u64 + 1, Ordering::Relaxed);
         let guard = self.frame.lock().unwrap_or_else(PoisonError::into_inner);
         let logged = guard.as_ref()?;
-        let mut frame =
-            FlowFrame { time: logged.time, wall_size: scene.resolution.spacing, ..FlowFrame::default() };
+        let mut frame = FlowFrame { time: logged.time, wall_size: scene.resolution.spacing, ..FlowFrame::default() };
         for point in logged.fluid() {
             frame.x.push(point.at[0] as f32);
             frame.y.push(point.at[1] as f32);
@@ -83,8 +82,14 @@ impl LiveFrame {
             false => f64::from(*pressures.select_nth_unstable_by((COVERED * last as f64) as usize, f32::total_cmp).1),
         };
         let [x, y] = window(scene, &frame.outlines);
-        let view =
-            FlowView { x, y, value: [0.0, top.max(1e-3)], width_px: WIDTH, label: "pressure [kPa]".into(), mirror_x: false };
+        let view = FlowView {
+            x,
+            y,
+            value: [0.0, top.max(1e-3)],
+            width_px: WIDTH,
+            label: "pressure [kPa]".into(),
+            mirror_x: false,
+        };
         Some(flow_png(&frame, &view))
     }
 }
@@ -94,12 +99,13 @@ fn window(scene: &Scene, outlines: &[Vec<[f64; 2]>]) -> [[f64; 2]; 2] {
     let tank = &scene.tank;
     let moving = scene.all_bodies().next().is_some();
     let all = || outlines.iter().flatten().filter(|point| point[0].is_finite() && point[1].is_finite());
-    let [low, high] = [f64::min as fn(f64, f64) -> f64, f64::max].map(|of| all().map(|p| p[0]).reduce(of).unwrap_or_default());
+    let [low, high] =
+        [f64::min as fn(f64, f64) -> f64, f64::max].map(|of| all().map(|p| p[0]).reduce(of).unwrap_or_default());
     if !moving || high <= low {
         return [[-0.5 * tank.width, 0.5 * tank.width], [-tank.depth, tank.height - tank.depth]];
     }
     let lowest = all().map(|point| point[1]).reduce(f64::min).unwrap_or_default();
     let (middle, half) = (0.5 * (low + high), (REACH * (high - low)).min(0.5 * tank.width));
-    let bottom = (lowest.min(0.0) - 0.6 * ASPECT * half).max(-tank.depth);
+    let bottom = (lowest.min(0.0) - 0.8 * ASPECT * half).max(-tank.depth);
     [[middle - half, middle + half], [bottom, bottom + 2.0 * ASPECT * half]]
 }

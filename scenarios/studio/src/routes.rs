@@ -6,11 +6,12 @@ use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
 
-use crate::answers::{formulas, of_theory};
+use crate::answers::of_formulas;
 use crate::grid;
 use crate::http::{Answer, Head, Kind, Refusal};
 use crate::scene_view::{self, view};
-use crate::{Shared, outline, page};
+use crate::shared::Shared;
+use crate::{outline, page};
 
 /// Files of a run that the page shows or hands over.
 const FILES: [(&str, Kind); 4] = [
@@ -67,23 +68,23 @@ pub fn answer(studio: &Shared, head: &Head, body: &[u8]) -> Result<Answer, Refus
 fn json_answer(studio: &Shared, head: &Head, path: &[&str], body: &[u8]) -> Result<Value, Refusal> {
     Ok(match (head.method.as_str(), path) {
         ("GET", ["start"]) => start(studio),
-        ("POST", ["scene"]) => view(&studio.folder, &parsed::<scene_view::Asked>(body)?),
+        ("POST", ["scene"]) => view(&studio.options.folder, &parsed::<scene_view::Asked>(body)?),
         ("POST", ["theories"]) => {
             let Text { text, .. } = parsed(body)?;
-            json!(formulas().map(|model| of_theory(&studio.folder, &text, model)).collect::<Vec<_>>())
+            json!(of_formulas(&studio.options.folder, &text))
         }
         ("POST", ["flow"]) => {
             let Text { text, page } = parsed(body)?;
-            studio.flows.answer(&studio.program, &studio.folder, &text, &page)
+            studio.flows.answer(&studio.options.program, &studio.options.folder, &text, &page)
         }
         ("POST", ["outline"]) => {
             outline::read(head.query("name").next().unwrap_or_default(), head.query("unit").next(), body)
         }
         ("GET", ["runs"]) => studio.runs.list(),
-        ("POST", ["runs"]) => studio.runs.add(&studio.folder, &parsed::<Text>(body)?.text),
+        ("POST", ["runs"]) => studio.runs.add(&studio.options.folder, &parsed::<Text>(body)?.text),
         ("GET", ["runs", name, "answer"]) => studio.runs.answer(name).map_err(|why| Refusal::new(404, why))?,
         ("POST", ["runs", name, "stop"]) => json!({"stopped": studio.runs.stop(name)}),
-        ("POST", ["grid"]) => studio.grids.start(&studio.folder, parsed::<grid::Asked>(body)?),
+        ("POST", ["grid"]) => studio.grids.start(&studio.options.folder, parsed::<grid::Asked>(body)?),
         ("GET", ["grid"]) => {
             let id = head.query("id").next().and_then(|id| id.parse().ok()).ok_or_else(unknown)?;
             studio.grids.progress(id).ok_or_else(unknown)?
@@ -95,14 +96,13 @@ fn json_answer(studio: &Shared, head: &Head, path: &[&str], body: &[u8]) -> Resu
 
 /// What the page needs before its first scene.
 fn start(studio: &Shared) -> Value {
-    let examples = studio.examples.iter().map(|(name, text)| json!({"name": name, "text": text}));
+    let examples = studio.options.examples.iter().map(|(name, text)| json!({"name": name, "text": text}));
     json!({
-        "text": studio.text,
-        "file": studio.file,
-        "folder": studio.folder.display().to_string(),
+        "text": studio.options.text,
+        "file": studio.options.file,
+        "folder": studio.options.folder.display().to_string(),
         "examples": examples.collect::<Vec<_>>(),
         "keywords": scene::schema().keywords(),
-        "schema": scene::schema().to_json(),
         "version": env!("CARGO_PKG_VERSION"),
     })
 }

@@ -83,7 +83,9 @@ impl Runs {
 
     /// Run a scene's text, after those that wait: its name, or the mistake in it.
     pub fn add(&self, studio: &Path, text: &str) -> Value {
-        let loaded = match load(studio, text, &[]).and_then(|loaded| loaded.fits_in_memory(available_memory()).map(|()| loaded)) {
+        let loaded = match load(studio, text, &[])
+            .and_then(|loaded| loaded.fits_in_memory(available_memory()).map(|()| loaded))
+        {
             Ok(loaded) => loaded,
             Err(error) => return json!({"name": null, "error": mistake(&error)}),
         };
@@ -94,7 +96,8 @@ impl Runs {
         }
         let mut asked = held(&self.asked);
         let taken = |name: &String| self.folder.join(name).exists() || asked.iter().any(|run| run.name == *name);
-        let names = std::iter::once(loaded.scene.name.clone()).chain((2..).map(|k| format!("{}_{k}", loaded.scene.name)));
+        let names =
+            std::iter::once(loaded.scene.name.clone()).chain((2..).map(|k| format!("{}_{k}", loaded.scene.name)));
         let name = names.into_iter().find(|name| !taken(name)).unwrap_or_default();
         let run = Arc::new(Asked {
             name: name.clone(),
@@ -152,7 +155,8 @@ impl Runs {
             let now = run.born.elapsed().as_millis() as u64 + 1;
             let _ = run.began.compare_exchange(0, now, Ordering::Relaxed, Ordering::Relaxed);
         };
-        let start = |_: &Scene| -> Result<Box<dyn Viewers>, LogError> { Ok(Box::new(Watcher::new(&run.live, run.born))) };
+        let start =
+            |_: &Scene| -> Result<Box<dyn Viewers>, LogError> { Ok(Box::new(Watcher::new(&run.live, run.born))) };
         let options = RunOptions {
             out: Some(self.folder.join(&run.name)),
             live: Some(&start),
@@ -251,7 +255,8 @@ impl Runs {
             Stage::Waiting => with(line, json!({"state": "waiting", "words": "waiting"})),
             Stage::Running => with(line, json!({"state": "running", "words": "running"})),
             Stage::Ended(status, message) => {
-                let ended = json!({"state": "ended", "status": status.name(), "words": status.words(), "message": message});
+                let ended =
+                    json!({"state": "ended", "status": status.name(), "words": status.words(), "message": message});
                 match self.line_of_folder(&run.name) {
                     Some(of_folder) => with(of_folder, ended),
                     None => with(line, ended),

@@ -4,7 +4,9 @@ use std::collections::hash_map::DefaultHasher;
 use std::hash::{Hash, Hasher};
 use std::path::Path;
 
-use scene::{Body, GaugeFrame, Loaded, Scene, SceneError, Shape, Symmetry, core_seconds, panel_line, particle_estimate};
+use scene::{
+    Body, GaugeFrame, Loaded, Scene, SceneError, Shape, Symmetry, core_seconds, panel_line, particle_estimate,
+};
 use serde::Deserialize;
 use serde_json::{Value, json};
 

@@ -31,7 +31,8 @@ fn the_curve_of_a_theory_is_that_of_the_library() {
         compared += 1;
     }
     assert!(compared > 100, "{compared}");
-    let peak = outcome.summary.results.named().find(|(id, _)| id.to_string() == "peak_force_N_per_m").expect("a force").1;
+    let peak =
+        outcome.summary.results.named().find(|(id, _)| id.to_string() == "peak_force_N_per_m").expect("a force").1;
     assert_eq!(wagner["quote"]["value"].as_f64(), Some(peak.value));
     assert_eq!(of_model(&answers, "similarity")["ok"], false, "a body that slows down is outside its range");
 }
@@ -48,7 +49,8 @@ fn a_mistake_stands_at_its_key_and_an_edit_keeps_the_other_lines() {
     let right = studio.post("/api/scene", &edit("body.deadrise_deg", "25"));
     assert_eq!(right["error"], Value::Null);
     let text = right["text"].as_str().expect("a text");
-    let differing: Vec<_> = text.lines().zip(wedge().lines().map(String::from).collect::<Vec<_>>()).filter(|(a, b)| a != b).collect();
+    let differing: Vec<_> =
+        text.lines().zip(wedge().lines().map(String::from).collect::<Vec<_>>()).filter(|(a, b)| a != b).collect();
     assert_eq!(differing.len(), 1, "{differing:?}");
     assert!(right["section"]["bodies"][0]["outline"].as_array().is_some_and(|points| points.len() >= 5));
     let broken = studio.post("/api/scene", &json!({"text": "name = \n"}));
@@ -79,7 +81,11 @@ fn boundary_elements_answer_with_a_band_and_a_later_request_ends_an_earlier() {
         let earlier = scope.spawn(|| studio.post("/api/flow", &asked("5")));
         thread::sleep(Duration::from_millis(300));
         let later = studio.post("/api/flow", &asked("30"));
-        assert_eq!((later["ok"].as_bool(), later["quote"]["verdict"].as_str()), (Some(true), Some("resolved")), "{later}");
+        assert_eq!(
+            (later["ok"].as_bool(), later["quote"]["verdict"].as_str()),
+            (Some(true), Some("resolved")),
+            "{later}"
+        );
         earlier.join().expect("an answer")
     });
     assert_eq!(earlier["stale"], true, "{earlier}");
@@ -139,8 +145,10 @@ fn a_grid_has_the_results_of_each_point() {
         found = progress();
     }
     let sets = ["model=wagner", "body.deadrise_deg=30", "body.velocity=[0, -6]"].map(String::from);
-    let outcome = run::run(&run::load("wedge", &sets).expect("a scene").scene, &run::RunOptions::default()).expect("a run");
-    let peak = outcome.summary.results.named().find(|(id, _)| id.to_string() == "peak_force_N_per_m").expect("a force").1;
+    let outcome =
+        run::run(&run::load("wedge", &sets).expect("a scene").scene, &run::RunOptions::default()).expect("a run");
+    let peak =
+        outcome.summary.results.named().find(|(id, _)| id.to_string() == "peak_force_N_per_m").expect("a force").1;
     let of_point = found["points"][3]["results"].as_array().expect("results");
     let force = of_point.iter().find(|result| result["name"] == "peak_force_N_per_m").expect("a force");
     assert_eq!(force["value"].as_f64(), Some(peak.value));

@@ -16,11 +16,11 @@ use temp_dir::TempDir;
 const PATIENCE: Duration = Duration::from_secs(60);
 
 /// A studio in a folder of its own.
-pub struct Studio {
+struct Studio {
     process: Child,
-    pub folder: TempDir,
-    pub host: String,
-    pub token: String,
+    folder: TempDir,
+    host: String,
+    token: String,
 }
 
 impl Drop for Studio {
@@ -31,15 +31,15 @@ impl Drop for Studio {
 }
 
 /// An answer: status, headers, body.
-pub struct Answer {
-    pub status: u16,
-    pub head: String,
-    pub body: String,
+struct Answer {
+    status: u16,
+    head: String,
+    body: String,
 }
 
 impl Studio {
     /// Opened with these arguments.
-    pub fn open(arguments: &[&str]) -> Studio {
+    fn open(arguments: &[&str]) -> Studio {
         let folder = TempDir::new().expect("a temporary folder");
         let mut command = Command::new(env!("CARGO_BIN_EXE_splashdown"));
         command.arg("studio").args(arguments).args(["--no-browser", "--json", "--dir"]).arg(folder.path());
@@ -53,49 +53,53 @@ impl Studio {
         Studio { process, folder, host: host.into(), token: token.into() }
     }
 
-    pub fn connect(&self) -> TcpStream {
+    fn connect(&self) -> TcpStream {
         let stream = TcpStream::connect(&self.host).expect("the studio listens");
         stream.set_read_timeout(Some(PATIENCE)).expect("a time limit");
         stream
     }
 
     /// A request as it stands.
-    pub fn raw(&self, request: &str) -> Answer {
+    fn raw(&self, request: &str) -> Answer {
         let mut stream = self.connect();
         stream.write_all(request.as_bytes()).expect("the studio reads");
         read(&mut stream)
     }
 
     /// A request with the host and these headers.
-    pub fn with(&self, line: &str, headers: &[(&str, &str)], body: &str) -> Answer {
+    fn with(&self, line: &str, headers: &[(&str, &str)], body: &str) -> Answer {
         let headers: String = headers.iter().map(|(name, value)| format!("{name}: {value}\r\n")).collect();
-        self.raw(&format!("{line} HTTP/1.1\r\nHost: {}\r\n{headers}Content-Length: {}\r\n\r\n{body}", self.host, body.len()))
+        self.raw(&format!(
+            "{line} HTTP/1.1\r\nHost: {}\r\n{headers}Content-Length: {}\r\n\r\n{body}",
+            self.host,
+            body.len()
+        ))
     }
 
-    pub fn get(&self, path: &str) -> Answer {
+    fn get(&self, path: &str) -> Answer {
         self.with(&format!("GET {path}"), &[("X-Splashdown-Token", &self.token)], "")
     }
 
     /// JSON for JSON.
-    pub fn post(&self, path: &str, body: &Value) -> Value {
+    fn post(&self, path: &str, body: &Value) -> Value {
         let answer = self.with(&format!("POST {path}"), &[("X-Splashdown-Token", &self.token)], &body.to_string());
         assert_eq!(answer.status, 200, "{path}: {}", answer.body);
         serde_json::from_str(&answer.body).expect("JSON")
     }
 
-    pub fn json(&self, path: &str) -> Value {
+    fn json(&self, path: &str) -> Value {
         let answer = self.get(path);
         assert_eq!(answer.status, 200, "{path}: {}", answer.body);
         serde_json::from_str(&answer.body).expect("JSON")
     }
 
     /// The text at the start.
-    pub fn text(&self) -> String {
+    fn text(&self) -> String {
         self.json("/api/start")["text"].as_str().expect("a text").to_string()
     }
 
     /// Wait until the list of runs has one that is so.
-    pub fn wait(&self, is: impl Fn(&Value) -> bool) -> Value {
+    fn wait(&self, is: impl Fn(&Value) -> bool) -> Value {
         let start = Instant::now();
         loop {
             let list = self.json("/api/runs");
@@ -116,7 +120,7 @@ fn until_brace(ended: &mut bool, line: String) -> Option<String> {
 }
 
 /// The answer that a connection has.
-pub fn read(stream: &mut TcpStream) -> Answer {
+fn read(stream: &mut TcpStream) -> Answer {
     let mut bytes = Vec::new();
     // a connection that is cut after the answer still has it
     let _ = stream.read_to_end(&mut bytes);
@@ -127,7 +131,7 @@ pub fn read(stream: &mut TcpStream) -> Answer {
 }
 
 /// A wedge that theories follow.
-pub fn wedge() -> String {
+fn wedge() -> String {
     let scene = Path::new(env!("CARGO_MANIFEST_DIR")).join("scene/scenes/wedge.toml");
     std::fs::read_to_string(scene).expect("a built-in scene")
 }

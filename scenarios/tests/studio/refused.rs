@@ -25,12 +25,17 @@ fn another_origin_or_host_is_refused_with_the_token_too() {
     let status = |header: (&str, &str)| studio.with("GET /api/start", &[token, header], "").status;
     assert_eq!(status(("Origin", &own)), 200);
     assert_eq!(status(("Sec-Fetch-Site", "same-origin")), 200);
-    for header in [("Origin", "http://example.org"), ("Origin", "null"), ("Origin", "http://127.0.0.1:1"), ("Sec-Fetch-Site", "cross-site")]
-    {
+    for header in [
+        ("Origin", "http://example.org"),
+        ("Origin", "null"),
+        ("Origin", "http://127.0.0.1:1"),
+        ("Sec-Fetch-Site", "cross-site"),
+    ] {
         assert_eq!(status(header), 403, "{header:?}");
     }
     for host in ["example.org", "127.0.0.1", "attacker.example:80"] {
-        let request = format!("GET /api/start HTTP/1.1\r\nHost: {host}\r\nX-Splashdown-Token: {}\r\n\r\n", studio.token);
+        let request =
+            format!("GET /api/start HTTP/1.1\r\nHost: {host}\r\nX-Splashdown-Token: {}\r\n\r\n", studio.token);
         assert_eq!(studio.raw(&request).status, 403, "{host}");
     }
     let without = format!("GET /api/start HTTP/1.1\r\nX-Splashdown-Token: {}\r\n\r\n", studio.token);

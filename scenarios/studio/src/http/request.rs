@@ -63,7 +63,9 @@ impl Head {
         let length: u64 = length.parse().map_err(|_| Refusal::new(400, "expected a number as Content-Length"))?;
         match usize::try_from(length).ok().filter(|length| *length <= LARGEST_BODY) {
             Some(length) => Ok(length),
-            None => Err(Refusal::new(413, format!("expected a body of at most {LARGEST_BODY} bytes, {length} announced"))),
+            None => {
+                Err(Refusal::new(413, format!("expected a body of at most {LARGEST_BODY} bytes, {length} announced")))
+            }
         }
     }
 }
@@ -176,7 +178,11 @@ mod tests {
     fn a_body_that_is_too_large_or_of_unknown_length_is_refused() {
         let with = |header: &str| {
             let text = format!("POST / HTTP/1.1\r\n{header}\r\n\r\n");
-            parse(text.as_bytes()).expect("valid HTTP").expect("a whole head").length().map_err(|refused| refused.status)
+            parse(text.as_bytes())
+                .expect("valid HTTP")
+                .expect("a whole head")
+                .length()
+                .map_err(|refused| refused.status)
         };
         assert_eq!(with("Content-Length: 1048576"), Ok(LARGEST_BODY));
         assert_eq!(with("Content-Length: 104857600"), Err(413));
