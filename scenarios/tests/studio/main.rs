@@ -45,8 +45,7 @@ impl Studio {
         command.arg("studio").args(arguments).args(["--no-browser", "--json", "--dir"]).arg(folder.path());
         command.stdout(Stdio::piped()).stderr(Stdio::null());
         let mut process = command.spawn().expect("the program");
-        let mut lines = BufReader::new(process.stdout.take().expect("its output")).lines();
-        let text: String = lines.by_ref().map_while(Result::ok).scan(false, until_brace).collect();
+        let text = object(&mut BufReader::new(process.stdout.take().expect("its output")));
         let said: Value = serde_json::from_str(&text).expect("JSON");
         let address = said["address"].as_str().expect("an address").strip_prefix("http://").expect("HTTP");
         let (host, token) = address.split_once("/?token=").expect("a token");
@@ -112,11 +111,11 @@ impl Studio {
     }
 }
 
-/// The lines of a JSON object, printed over several.
-fn until_brace(ended: &mut bool, line: String) -> Option<String> {
-    let line = (!*ended).then_some(line)?;
-    *ended = line == "}";
-    Some(line + if *ended { "" } else { "\n" })
+/// The lines of a JSON object, printed over several; what follows is not waited for.
+fn object(output: &mut impl BufRead) -> String {
+    let mut text = String::new();
+    while !text.ends_with("}\n") && output.read_line(&mut text).is_ok_and(|count| count > 0) {}
+    text
 }
 
 /// The answer that a connection has.
