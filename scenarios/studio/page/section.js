@@ -173,12 +173,7 @@ const section = {
   addAt(event) {
     const box = event.target.ownerSVGElement.getBoundingClientRect(), scale = this.width / box.width;
     const at = this.toBody(this.last.from([(event.clientX - box.left) * scale, (event.clientY - box.top) * scale]));
-    const distance = (k) => {
-      const a = this.points[k], b = this.points[(k + 1) % this.points.length], d = [b[0] - a[0], b[1] - a[1]];
-      const t = Math.min(1, Math.max(0, ((at[0] - a[0]) * d[0] + (at[1] - a[1]) * d[1]) / (d[0] ** 2 + d[1] ** 2 || 1)));
-      return Math.hypot(at[0] - a[0] - t * d[0], at[1] - a[1] - t * d[1]);
-    };
-    const sides = this.points.map((_, k) => k).sort((a, b) => distance(a) - distance(b));
+    const sides = this.points.map((_, k) => k).sort((a, b) => this.nearest(a, at).distance - this.nearest(b, at).distance);
     this.add(sides[0], at);
   },
   remove(k) {
@@ -198,7 +193,23 @@ const section = {
     const lines = [];
     for (let k = 0; k < pairs.length; k += 6) lines.push(`    ${pairs.slice(k, k + 6).join(", ")},`);
     const files = ["outline", "outline_unit", "outline_layer"].filter((key) => `body.${key}` in scene.written);
-    change([...more, ...files.map((key) => ({ key: `body.${key}`, value: null })), { key: "body.points", value: `[\n${lines.join("\n")}\n]` }]);
+    change([...more, ...this.gauges(), ...files.map((key) => ({ key: `body.${key}`, value: null })), { key: "body.points", value: `[\n${lines.join("\n")}\n]` }]);
+  },
+  /** Gauges on the body follow its outline: each goes to the nearest place on it. */
+  gauges() {
+    return Object.keys(scene.written).filter((key) => /^gauges\[\d+\]\.at$/.test(key) && scene.written[key.replace(/at$/, "on")] !== "fixed").flatMap((key) => {
+      const at = numeric(scene.written[key]);
+      if (at?.length !== 2) return [];
+      const near = this.points.map((_, k) => this.nearest(k, at)).reduce((a, b) => (b.distance < a.distance ? b : a));
+      return near.distance > 1e-6 * this.size() ? [{ key, value: `[${near.place.map(plain).join(", ")}]` }] : [];
+    });
+  },
+  /** The place of a side that is nearest to a point of the body's frame. */
+  nearest(k, at) {
+    const a = this.points[k], b = this.points[(k + 1) % this.points.length], d = [b[0] - a[0], b[1] - a[1]];
+    const t = Math.min(1, Math.max(0, ((at[0] - a[0]) * d[0] + (at[1] - a[1]) * d[1]) / (d[0] ** 2 + d[1] ** 2 || 1)));
+    const place = [a[0] + t * d[0], a[1] + t * d[1]];
+    return { place, distance: Math.hypot(at[0] - place[0], at[1] - place[1]) };
   },
   /** An outline in place of the shape's keys. */
   replace(points) {

@@ -4,6 +4,7 @@ use std::collections::HashMap;
 use std::ffi::OsString;
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
@@ -24,6 +25,7 @@ const PAUSE: Duration = Duration::from_millis(5);
 #[derive(Debug, Default)]
 pub struct Flows {
     newest: Mutex<HashMap<String, u64>>,
+    ended: AtomicBool,
 }
 
 /// Ends its process.
@@ -46,7 +48,13 @@ impl Flows {
     }
 
     fn is_newest(&self, page: &str, count: u64) -> bool {
-        self.newest.lock().unwrap_or_else(PoisonError::into_inner).get(page) == Some(&count)
+        let newest = self.newest.lock().unwrap_or_else(PoisonError::into_inner).get(page) == Some(&count);
+        newest && !self.ended.load(Ordering::Relaxed)
+    }
+
+    /// End all processes.
+    pub fn end(&self) {
+        self.ended.store(true, Ordering::Relaxed);
     }
 
     /// The flow about the section of a scene; a later request of the same page ends it.

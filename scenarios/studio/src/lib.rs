@@ -24,7 +24,7 @@ use std::net::{Ipv4Addr, TcpListener, TcpStream};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::thread;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use flow::Flows;
 use grid::Grids;
@@ -38,6 +38,8 @@ use shared::Shared;
 const MOST_REQUESTS: usize = 64;
 /// Longest wait for a piece of a request.
 const PATIENCE: Duration = Duration::from_secs(10);
+/// Longest wait for requests that are being answered at the end.
+const LAST_ANSWERS: Duration = Duration::from_secs(2);
 /// Pause between two looks for a request.
 const PAUSE: Duration = Duration::from_millis(5);
 
@@ -103,10 +105,15 @@ impl Studio {
                 answer(&shared, &mut stream);
             });
         }
+        self.shared.flows.end();
         self.shared.grids.end();
         self.shared.runs.end();
         // a worker that broke down has nothing to keep
         let _ = worker.join();
+        let start = Instant::now();
+        while open.load(Ordering::Relaxed) > 0 && start.elapsed() < LAST_ANSWERS {
+            thread::sleep(PAUSE);
+        }
     }
 }
 
