@@ -12,6 +12,7 @@ CRATES = [
     "scenarios/run",
     "scenarios/report",
     "scenarios/decide",
+    "scenarios/studio",
     "scenarios",
     "bindings/c",
     "bindings/python",

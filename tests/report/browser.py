@@ -12,6 +12,7 @@ FLAGS = ["--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-u
          "--disable-background-networking", "--disable-component-update", "--remote-debugging-pipe"]
 NAMES = ["chromium", "chromium-browser", "google-chrome"]
 PATIENCE = 60.0
+KEYS = {"Tab": 9, "Enter": 13, "End": 35, "Home": 36, "ArrowLeft": 37, "ArrowUp": 38, "ArrowRight": 39, "ArrowDown": 40, "Insert": 45, "Delete": 46}
 
 
 def find():
@@ -43,11 +44,19 @@ class Browser:
         os.close(child_in)
         os.close(child_out)
         self.buffer, self.next, self.events = b"", 0, []
+        self.session = None
+        self.session = self.tab()
+
+    def tab(self):
+        """A new tab: its session, in which `session` puts the calls."""
+        before, self.session = self.session, None
         target = self.call("Target.createTarget", url="about:blank")["targetId"]
         self.session = self.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
         self.call("Page.bringToFront")
         for domain in ("Page", "Runtime", "Network", "Log"):
             self.call(f"{domain}.enable")
+        made, self.session = self.session, before
+        return made
 
     def call(self, method, **params):
         """Call a method of the protocol and wait for its result."""
@@ -79,12 +88,12 @@ class Browser:
         return json.loads(message)
 
     def open(self, path, width, height=900, dark=False, mobile=False):
-        """Load a file at a width; events before are forgotten."""
+        """Load a file, or an address, at a width; events before are forgotten."""
         self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=2 if mobile else 1, mobile=mobile)
         scheme = [{"name": "prefers-color-scheme", "value": "dark" if dark else "light"}]
         self.call("Emulation.setEmulatedMedia", media="", features=scheme)
         self.events = []
-        self.call("Page.navigate", url=path.resolve().as_uri())
+        self.call("Page.navigate", url=path if isinstance(path, str) else path.resolve().as_uri())
         if not self.wait("document.readyState === 'complete'"):
             raise SystemExit(f"{path}: not loaded within {PATIENCE:.0f} s")
 
@@ -102,6 +111,17 @@ class Browser:
             time.sleep(0.05)
         return True
 
+    def press(self, key, code=None, text=None, modifiers=0):
+        """Press a key and release it."""
+        of_key = {"key": key, "code": code or key, "modifiers": modifiers, **({"text": text} if text else {})}
+        of_key["windowsVirtualKeyCode"] = KEYS.get(key, ord(key.upper()) if len(key) == 1 else 0)
+        self.call("Input.dispatchKeyEvent", type="keyDown", **of_key)
+        self.call("Input.dispatchKeyEvent", type="keyUp", **of_key)
+
+    def write(self, text):
+        """Type a text into the active element."""
+        self.call("Input.insertText", text=text)
+
     def mouse(self, kind, x, y, **more):
         self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, **more)
 
@@ -117,8 +137,8 @@ class Browser:
         printed = self.call("Page.printToPDF", preferCSSPageSize=True, printBackground=False)
         path.write_bytes(base64.b64decode(printed["data"]))
 
-    def complaints(self):
-        """Errors of scripts, and requests that leave the page."""
+    def complaints(self, own="file:"):
+        """Errors of scripts, and requests that leave the page; addresses that begin with `own` are its own."""
         found = []
         for event in self.events:
             params, method = event.get("params", {}), event.get("method")
@@ -128,7 +148,7 @@ class Browser:
                 found.append(f"console: {params['args']}")
             elif method == "Log.entryAdded" and params["entry"]["level"] == "error":
                 found.append(params["entry"]["text"])
-            elif method == "Network.requestWillBeSent" and not params["request"]["url"].startswith(("file:", "data:", "blob:")):
+            elif method == "Network.requestWillBeSent" and not params["request"]["url"].startswith((own, "data:", "blob:")):
                 found.append(f"the page asks for {params['request']['url']}")
         return found
 

@@ -17,6 +17,7 @@ mod run;
 mod scatter;
 mod shared;
 mod size;
+mod studio;
 mod sweep;
 mod thesis_files;
 mod tips;
@@ -95,6 +96,8 @@ enum Command {
     Bench(bench::BenchArgs),
     /// Make the page of a run again from its folder, or one page that compares several runs.
     Report(report::ReportArgs),
+    /// Open a page on this machine where a scene is edited, computed as one types, run and compared.
+    Studio(studio::StudioArgs),
     /// Compare scenes with published data.
     #[command(hide = true)]
     Validate(experiments::ValidateArgs),
@@ -220,6 +223,7 @@ fn start(cli: &Cli, program: &[OsString]) -> Result<u8, Stop> {
         Command::Plane(args) => plane::run_plane(output, args),
         Command::Bench(args) => bench::run_bench(output, args),
         Command::Report(args) => report::make_report(output, args),
+        Command::Studio(args) => studio::run_studio(output, args, program),
         Command::Validate(args) => experiments::run_validation(output, args),
         Command::Bands(args) => experiments::run_bands(output, args),
         Command::Keywords(args) => keywords::keywords(output, args),

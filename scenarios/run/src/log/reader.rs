@@ -11,7 +11,7 @@ use foxglove::messages::{FrameTransforms, PointCloud, SceneUpdate};
 use mcap::read::ChunkReader;
 use mcap::records::{ChunkHeader, Record};
 
-use super::frame::{POINT_SIZE, Point, unpack};
+use super::frame::{Frame, POINT_SIZE, Point, unpack};
 
 /// Bytes before the first record.
 pub(super) const MAGIC: u64 = 8;
@@ -60,6 +60,12 @@ impl LoggedBody {
 }
 
 impl LoggedFrame {
+    /// A picture as it would be read back.
+    pub fn of(frame: &Frame) -> LoggedFrame {
+        let Frame { time, fluid, walls, scene, tf, .. } = frame;
+        LoggedFrame { time: *time, fluid: fluid.clone(), walls: walls.clone(), bodies: bodies(scene, tf) }
+    }
+
     /// The particles of the fluid; of a symmetric run with their images.
     pub fn fluid(&self) -> impl Iterator<Item = Point> + '_ {
         points(&self.fluid)

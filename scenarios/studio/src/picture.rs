@@ -1,0 +1,111 @@
+//! A live picture of a run: the newest frame, drawn when the page asks.
+
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, Instant};
+
+use report::{FlowFrame, FlowView, flow_png};
+use run::log::{Frame, LogError, LoggedFrame, Viewers};
+use scene::Scene;
+
+/// Shortest time between two frames.
+const INTERVAL: Duration = Duration::from_millis(200);
+/// A page that has not asked for this time does not watch.
+const WATCHED: Duration = Duration::from_secs(3);
+const WIDTH: u32 = 720;
+/// Half the width of the window over the body's breadth, and its height over its width.
+const REACH: f64 = 1.2;
+const ASPECT: f64 = 0.6;
+/// Pressures above this share of the largest are not shown apart.
+const COVERED: f64 = 0.995;
+
+/// The newest frame of a run.
+#[derive(Default)]
+pub struct LiveFrame {
+    frame: Mutex<Option<LoggedFrame>>,
+    /// When a page asked last [ms since `born`], plus 1.
+    asked: AtomicU64,
+}
+
+/// Takes the frames of a run.
+pub struct Watcher {
+    live: Arc<LiveFrame>,
+    born: Instant,
+    taken: Option<Instant>,
+}
+
+impl Watcher {
+    /// For the page that asks by `live`.
+    pub fn new(live: &Arc<LiveFrame>, born: Instant) -> Watcher {
+        Watcher { live: Arc::clone(live), born, taken: None }
+    }
+}
+
+impl Viewers for Watcher {
+    fn is_due(&self) -> bool {
+        let asked = self.live.asked.load(Ordering::Relaxed);
+        let since = (self.born.elapsed().as_millis() as u64 + 1).saturating_sub(asked);
+        let watched = asked > 0 && u128::from(since) < WATCHED.as_millis();
+        watched && self.taken.is_none_or(|taken| taken.elapsed() >= INTERVAL)
+    }
+
+    fn sample(&mut self, _: f64, _: &str, _: &[(&str, f64)]) -> Result<(), LogError> {
+        Ok(())
+    }
+
+    fn frame(&mut self, frame: &Frame) {
+        self.taken = Some(Instant::now());
+        *self.live.frame.lock().unwrap_or_else(PoisonError::into_inner) = Some(LoggedFrame::of(frame));
+    }
+}
+
+impl LiveFrame {
+    /// The newest frame as PNG; `None` before the first.
+    pub fn png(&self, scene: &Scene, born: Instant) -> Option<Vec<u8>> {
+        self.asked.store(born.elapsed().as_millis() as u64 + 1, Ordering::Relaxed);
+        let guard = self.frame.lock().unwrap_or_else(PoisonError::into_inner);
+        let logged = guard.as_ref()?;
+        let mut frame = FlowFrame { time: logged.time, wall_size: scene.resolution.spacing, ..FlowFrame::default() };
+        for point in logged.fluid() {
+            frame.x.push(point.at[0] as f32);
+            frame.y.push(point.at[1] as f32);
+            frame.value.push((1e-3 * point.pressure) as f32);
+            frame.size.push(point.spacing as f32);
+        }
+        frame.outlines = logged.bodies.iter().flat_map(|body| body.loops.iter().cloned()).collect();
+        frame.walls = logged.walls().map(|point| point.at).collect();
+        drop(guard);
+        let mut pressures = frame.value.clone();
+        let last = pressures.len().saturating_sub(1);
+        let top = match pressures.is_empty() {
+            true => 1.0,
+            false => f64::from(*pressures.select_nth_unstable_by((COVERED * last as f64) as usize, f32::total_cmp).1),
+        };
+        let [x, y] = window(scene, &frame.outlines);
+        let view = FlowView {
+            x,
+            y,
+            value: [0.0, top.max(1e-3)],
+            width_px: WIDTH,
+            label: "pressure [kPa]".into(),
+            mirror_x: false,
+        };
+        Some(flow_png(&frame, &view))
+    }
+}
+
+/// The part of the tank that is shown: about the bodies, else all [m].
+fn window(scene: &Scene, outlines: &[Vec<[f64; 2]>]) -> [[f64; 2]; 2] {
+    let tank = &scene.tank;
+    let moving = scene.all_bodies().next().is_some();
+    let all = || outlines.iter().flatten().filter(|point| point[0].is_finite() && point[1].is_finite());
+    let [low, high] =
+        [f64::min as fn(f64, f64) -> f64, f64::max].map(|of| all().map(|p| p[0]).reduce(of).unwrap_or_default());
+    if !moving || high <= low {
+        return [[-0.5 * tank.width, 0.5 * tank.width], [-tank.depth, tank.height - tank.depth]];
+    }
+    let lowest = all().map(|point| point[1]).reduce(f64::min).unwrap_or_default();
+    let (middle, half) = (0.5 * (low + high), (REACH * (high - low)).min(0.5 * tank.width));
+    let bottom = (lowest.min(0.0) - 0.8 * ASPECT * half).max(-tank.depth);
+    [[middle - half, middle + half], [bottom, bottom + 2.0 * ASPECT * half]]
+}

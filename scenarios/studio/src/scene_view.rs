@@ -1,0 +1,134 @@
+//! What the page shows of a scene's text: its keys, its section, its mistake, its warnings, its cost.
+
+use std::collections::hash_map::DefaultHasher;
+use std::hash::{Hash, Hasher};
+use std::path::Path;
+
+use scene::{
+    Body, GaugeFrame, Loaded, Scene, SceneError, Shape, Symmetry, core_seconds, panel_line, particle_estimate,
+};
+use serde::Deserialize;
+use serde_json::{Value, json};
+
+use crate::edit::{Edit, apply, written};
+
+/// A scene's text, and what is to be changed in it.
+#[derive(Debug, Deserialize)]
+pub struct Asked {
+    text: String,
+    #[serde(default)]
+    edits: Vec<Edit>,
+}
+
+/// Reads a scene's text; files that it names lie in a folder.
+///
+/// # Errors
+/// A scene that cannot be read.
+pub fn load(folder: &Path, text: &str, sets: &[String]) -> Result<Loaded, SceneError> {
+    run::load_text(&folder.join("scene.toml").to_string_lossy(), text, sets)
+}
+
+/// A mistake, with the key and the line of it where they are known.
+pub fn mistake(error: &SceneError) -> Value {
+    let mut json = error.to_json();
+    // the text has no file that a reader knows
+    if let SceneError::File { line, problem, .. } = error {
+        json["message"] = json!(problem.to_string());
+        json["line"] = json!(line);
+    }
+    json
+}
+
+/// The text with its edits, and what it says.
+pub fn view(folder: &Path, Asked { text, edits }: &Asked) -> Value {
+    let text = match apply(text, edits) {
+        Ok(text) => text,
+        Err(error) => {
+            let error = json!({"message": error.why, "key": error.key, "line": null});
+            return json!({"text": text, "edited": false, "error": error, "written": written(text)});
+        }
+    };
+    let keys = written(&text);
+    match load(folder, &text, &[]) {
+        Err(error) => json!({"text": text, "edited": true, "error": mistake(&error), "written": keys}),
+        Ok(loaded) => {
+            let scene = &loaded.scene;
+            let resolved = scene.to_toml();
+            json!({
+                "text": text,
+                "edited": true,
+                "error": null,
+                "written": keys,
+                "resolved": written(&resolved),
+                "warnings": loaded.warnings,
+                "outline": loaded.outline.as_ref().map(scene_outline),
+                "section": section(scene),
+                "cost": cost(scene),
+                "name": scene.name,
+                "model": scene.model.name(),
+                "choice": scene.choice,
+                "fingerprint": fingerprint(&resolved),
+            })
+        }
+    }
+}
+
+fn scene_outline(report: &scene::OutlineReport) -> String {
+    report.to_text()
+}
+
+/// The same for two scenes that are alike once resolved, in one process.
+pub fn fingerprint(resolved: &str) -> String {
+    let mut hasher = DefaultHasher::new();
+    resolved.hash(&mut hasher);
+    format!("{:016x}", hasher.finish())
+}
+
+/// Particles and core-seconds of a run; nothing of a theory.
+fn cost(scene: &Scene) -> Value {
+    if scene.model.is_theory() {
+        return Value::Null;
+    }
+    let (fluid, wall) = particle_estimate(scene);
+    json!({"fluid": fluid, "wall": wall, "core_seconds": core_seconds(scene)})
+}
+
+/// Bodies, panels, gauges and water at t = 0, in the tank's frame [m].
+fn section(scene: &Scene) -> Value {
+    let gauge = |gauge: &scene::Gauge| {
+        let at = match (&scene.body, gauge.on) {
+            (Some(body), GaugeFrame::Body) => body.to_tank(gauge.at),
+            _ => gauge.at,
+        };
+        json!({"name": gauge.name, "at": at})
+    };
+    json!({
+        "bodies": scene.all_bodies().map(body).collect::<Vec<_>>(),
+        "gauges": scene.gauges.iter().map(gauge).collect::<Vec<_>>(),
+        "tank": {"width": scene.tank.width, "depth": scene.tank.depth, "height": scene.tank.height},
+        "mirrored": scene.symmetry == Symmetry::X,
+        "own": scene.body.is_some(),
+    })
+}
+
+fn body(body: &Body) -> Value {
+    let panel = |panel: &scene::Panel| {
+        let line: Vec<[f64; 2]> = panel_line(body, panel).into_iter().map(|point| body.to_tank(point)).collect();
+        json!({"name": panel.name, "line": line})
+    };
+    let points = match &body.shape {
+        Shape::Polygon { points } | Shape::Polyline { points, .. } => points.clone(),
+        other => other.outline(),
+    };
+    json!({
+        "name": body.name,
+        "shape": body.shape.name(),
+        "points": points,
+        "outline": body.placed_outline(),
+        "position": body.position,
+        "angle_deg": body.angle_deg,
+        "panels": body.panels.iter().map(panel).collect::<Vec<_>>(),
+        "center_of_mass": body.to_tank(body.center_of_mass),
+        "velocity": body.velocity,
+    })
+}
