@@ -122,7 +122,7 @@ impl Row<'_> {
 }
 
 /// The second divided difference of β at the nodes between the first and the last.
-struct Bends {
+struct SecondDifferences {
     /// Factors of β of the node before, of the node itself and of the node after it, with a zero before and after; 0 at corners.
     factors: [Numbers; 3],
     /// Shares that the elements before and after take of it.
@@ -132,7 +132,7 @@ struct Bends {
 /// The elements of a contour.
 pub(super) struct Influence {
     elements: Elements,
-    bends: Bends,
+    differences: SecondDifferences,
     /// Is the contour the right half of a symmetric one?
     is_half: bool,
     integrals: Integrals,
@@ -144,7 +144,7 @@ struct Integrals {
     /// Of the elements, as [`Factors`], after a zero.
     of: [Vec<f64>; 6],
     /// Of the second divided difference of each node, with a zero before and after.
-    bent: Numbers,
+    of_difference: Numbers,
     /// Of β of each node.
     beta: Numbers,
 }
@@ -154,9 +154,18 @@ impl Influence {
     pub fn whole(z: &[c64], corners: Option<&[usize]>) -> Influence {
         let elements = Elements::new(z);
         let padded = elements.blocks.len() * LANES;
-        let integrals =
-            Integrals { of: [(); 6].map(|()| vec![0.0; padded + 1]), bent: zeros(z.len() + 2), beta: zeros(z.len()) };
-        Influence { elements, bends: Bends::new(z, corners), is_half: false, integrals, arch: Arch::new() }
+        let integrals = Integrals {
+            of: [(); 6].map(|()| vec![0.0; padded + 1]),
+            of_difference: zeros(z.len() + 2),
+            beta: zeros(z.len()),
+        };
+        Influence {
+            elements,
+            differences: SecondDifferences::new(z, corners),
+            is_half: false,
+            integrals,
+            arch: Arch::new(),
+        }
     }
 
     /// Of those of the right half of a symmetric contour and of their mirror images, whose β is the conjugate.
@@ -166,30 +175,32 @@ impl Influence {
 
     /// ∫ β/(z − `at`) dz over all elements, written to a row. At an end that is `at` the singular part is left to the node.
     pub fn write(&mut self, at: c64, row: &mut Row<'_>) {
-        let Influence { elements, bends, is_half, integrals, arch } = self;
-        arch.dispatch(Writing { elements, bends, is_half: *is_half, integrals, at, row });
+        let Influence { elements, differences, is_half, integrals, arch } = self;
+        arch.dispatch(Writing { elements, differences, is_half: *is_half, integrals, at, row });
     }
 }
 
-impl Bends {
+impl SecondDifferences {
     /// Of the nodes `z`, of which `corners` have none.
-    fn new(z: &[c64], corners: Option<&[usize]>) -> Bends {
+    fn new(z: &[c64], corners: Option<&[usize]>) -> SecondDifferences {
         let inner = z.len() - 2;
-        let mut bends =
-            Bends { factors: [(); 3].map(|()| zeros(z.len() + 2)), shares: [(); 2].map(|()| vec![0.0; inner]) };
+        let mut differences = SecondDifferences {
+            factors: [(); 3].map(|()| zeros(z.len() + 2)),
+            shares: [(); 2].map(|()| vec![0.0; inner]),
+        };
         let is_smooth = |k: usize| 0 < k && k <= inner && corners.is_some_and(|corners| !corners.contains(&k));
         for k in (1..=inner).filter(|k| is_smooth(*k)) {
             let [before, after] = [z[k] - z[k - 1], z[k + 1] - z[k]];
             let both = before + after;
             let of = [(before * both).inv(), -(before * after).inv(), (after * both).inv()];
-            for ([re, im], of) in bends.factors.iter_mut().zip(of) {
+            for ([re, im], of) in differences.factors.iter_mut().zip(of) {
                 (re[k + 1], im[k + 1]) = (of.re, of.im);
             }
-            for (shares, next) in bends.shares.iter_mut().zip([k - 1, k + 1]) {
+            for (shares, next) in differences.shares.iter_mut().zip([k - 1, k + 1]) {
                 shares[k - 1] = if is_smooth(next) { 0.5 } else { 1.0 };
             }
         }
-        bends
+        differences
     }
 }
 
@@ -214,16 +225,17 @@ impl Integrals {
 
     /// Of β of each node.
     #[inline(always)]
-    fn gather(&mut self, bends: &Bends) {
-        let Integrals { of, bent, beta } = self;
-        let inner = bends.shares[0].len();
+    fn gather(&mut self, differences: &SecondDifferences) {
+        let Integrals { of, of_difference, beta } = self;
+        let inner = differences.shares[0].len();
         let n = inner + 2;
-        let [of_before, of_after] = [&bends.shares[0][..inner], &bends.shares[1][..inner]];
+        let [of_before, of_after] = [&differences.shares[0][..inner], &differences.shares[1][..inner]];
         for part in 0..2 {
             let [first, second, third] = [&of[part], &of[2 + part], &of[4 + part]];
-            let (before, after, bent) = (&third[1..][..inner], &third[2..][..inner], &mut bent[part][2..][..inner]);
+            let (before, after, of_difference) =
+                (&third[1..][..inner], &third[2..][..inner], &mut of_difference[part][2..][..inner]);
             for k in 0..inner {
-                bent[k] = of_before[k] * before[k] + of_after[k] * after[k];
+                of_difference[k] = of_before[k] * before[k] + of_after[k] * after[k];
             }
             let (beta, first, second) = (&mut beta[part][..n], &first[1..][..n - 1], &second[..n]);
             for k in 0..n - 1 {
@@ -234,8 +246,8 @@ impl Integrals {
         let [re, im] = beta;
         // node k is the node after k − 1, itself, and the node before k + 1
         let [re, im] = [&mut re[..n], &mut im[..n]];
-        for (shift, factors) in bends.factors.iter().rev().enumerate() {
-            let [d_re, d_im] = [&bent[0][shift..][..n], &bent[1][shift..][..n]];
+        for (shift, factors) in differences.factors.iter().rev().enumerate() {
+            let [d_re, d_im] = [&of_difference[0][shift..][..n], &of_difference[1][shift..][..n]];
             let [w_re, w_im] = [&factors[0][shift..][..n], &factors[1][shift..][..n]];
             for k in 0..n {
                 re[k] += d_re[k] * w_re[k] - d_im[k] * w_im[k];
@@ -278,7 +290,7 @@ impl Elements {
 /// What [`Influence::write`] does, for vector instructions.
 struct Writing<'a, 'b> {
     elements: &'a Elements,
-    bends: &'a Bends,
+    differences: &'a SecondDifferences,
     is_half: bool,
     integrals: &'a mut Integrals,
     at: c64,
@@ -290,12 +302,12 @@ impl NullaryFnOnce for Writing<'_, '_> {
 
     #[inline(always)]
     fn call(self) {
-        let Writing { elements, bends, is_half, integrals, at, row } = self;
+        let Writing { elements, differences, is_half, integrals, at, row } = self;
         // the conjugate of the factors of the images' β is that of the elements for the mirrored node, with the other sign
         let sign = if row.is_imaginary { 1.0 } else { -1.0 };
         let places = [(1.0, at), (sign, c64::new(-at.re, at.im))];
         integrals.take(elements, &places[..if is_half { 2 } else { 1 }]);
-        integrals.gather(bends);
+        integrals.gather(differences);
         row.write([&integrals.beta[0], &integrals.beta[1]]);
     }
 }

@@ -42,19 +42,19 @@ fn factors_are_those_of_all_elements() {
     let (z, corner) = (line(), 2);
     let n = z.len();
     let beta: Vec<c64> = (0..n).map(|k| c64::new((0.7 * k as f64).sin(), (0.3 * k as f64).cos())).collect();
-    let bend = |z: &[c64], beta: &[c64], k: usize| {
+    let second_difference = |z: &[c64], beta: &[c64], k: usize| {
         let slope = |k: usize| (beta[k + 1] - beta[k]) / (z[k + 1] - z[k]);
         (slope(k) - slope(k - 1)) / (z[k + 1] - z[k - 1])
     };
     let integral = |z: &[c64], beta: &[c64], corner: usize, at: c64| -> c64 {
         let of = |k: usize| {
             let [first, second, third] = by_logarithm([z[k] - at, z[k + 1] - at]);
-            let bends: Vec<c64> = [k, k + 1]
+            let differences: Vec<c64> = [k, k + 1]
                 .into_iter()
                 .filter(|k| 0 < *k && k + 1 < n && *k != corner)
-                .map(|k| bend(z, beta, k))
+                .map(|k| second_difference(z, beta, k))
                 .collect();
-            let mean = bends.iter().sum::<c64>() / bends.len().max(1) as f64;
+            let mean = differences.iter().sum::<c64>() / differences.len().max(1) as f64;
             first * beta[k] + second * beta[k + 1] + third * mean
         };
         (0..n - 1).map(of).sum()
