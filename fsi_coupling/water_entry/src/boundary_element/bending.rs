@@ -7,7 +7,7 @@ use super::super::section::Section;
 use super::FlowEnded;
 use super::cauchy::{Complex, Contour};
 use super::deflection::{AlongBottom, BottomMotion};
-use super::entry::{LATEST_UNDER_GRAVITY, keels};
+use super::entry::{keels, latest_under_gravity};
 use super::first_contact::{FirstContact, PlateLoad};
 use super::solution::{Solution, SymmetricSolution};
 use super::state::EntryFlow;
@@ -260,7 +260,7 @@ impl BendingWater {
             });
         }
         let wet = section.wagner_draught(section.followed_half_breadth());
-        let of_gravity = LATEST_UNDER_GRAVITY * speed * speed / gravity.max(f64::MIN_POSITIVE);
+        let of_gravity = latest_under_gravity(speed, gravity, section.slope(0.0));
         let of_round = if section.is_round() { EntryFlow::first_half_width(section, keels(section)[0]) } else { None };
         let first = of_round.map_or((BEGIN * wet).min(of_gravity), |half_width| section.wagner_draught(half_width));
         let mut flow = EntryFlow::new(section, first.max(draught), speed, gravity)?;

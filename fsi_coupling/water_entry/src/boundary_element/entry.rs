@@ -9,12 +9,16 @@ use super::state::EntryFlow;
 
 /// The flow begins at this share of the draught at which the chines are wet, or at which the wedge would be at the end.
 pub(super) const BEGIN: f64 = 1.0 / 6.0;
-/// The same of a wedge at constant speed without gravity, whose flow is the similar one until its chines are wet.
-const BEGIN_OF_SIMILAR: f64 = 0.6;
+/// The same at most of a straight wedge, whose flow is nearly the similar one: at constant speed without gravity until its chines are wet.
+const LATEST_OF_WEDGE: f64 = 0.5;
+const LATEST_OF_SIMILAR: f64 = 0.6;
+/// And at the latest where the water has taken this share of a free wedge's speed, if that is not before `BEGIN`.
+const SLOWED: f64 = 0.1;
 /// And at the latest at this share of the draught at which the faces next to the keel are wet.
 pub(super) const LATEST: f64 = 0.5;
-/// And at the latest at this draught over V²/g: the similar flow, from which it begins, has no gravity.
-pub(super) const LATEST_UNDER_GRAVITY: f64 = 0.02;
+/// And at the latest at this draught over V²/g, and over V²/(g tan β): the similar flow, from which it begins, has no gravity, and buoyancy is then
+/// below 0.5 % of its load.
+const LATEST_UNDER_GRAVITY: [f64; 2] = [0.02, 0.01];
 /// Angle of the keel that is added to a round bottom [deg].
 pub(super) const KEEL_DEG: f64 = 15.0;
 /// Those that are tried one after the other under another blunt bottom: flat ones need a steeper keel [deg].
@@ -184,12 +188,18 @@ impl FlowEntry<'_> {
             (_, Some(first)) => first,
             (draught, None) => {
                 let wet = |x: f64| self.section.wagner_draught(x);
-                let chines = wet(self.section.followed_half_breadth());
+                let half_breadth = self.section.followed_half_breadth();
+                let chines = wet(half_breadth);
                 let last = (draught.max(0.0) + at_contact * left + 0.5 * g * left * left).min(chines);
-                let without_gravity =
-                    LATEST_UNDER_GRAVITY * at_contact * at_contact / self.gravity.max(f64::MIN_POSITIVE);
-                let share = if self.section.is_followed_as_wedge() { begin(self.motion, self.gravity) } else { BEGIN };
-                (share * last.max(1e-9 * chines)).min(LATEST * wet(self.section.first_face()[0])).min(without_gravity)
+                let without_gravity = latest_under_gravity(at_contact, self.gravity, self.section.slope(0.0));
+                let last = last.max(1e-9 * chines);
+                let begin = if self.section.is_followed_as_wedge() {
+                    let slowed = slowed_at(self.motion, self.density).min(half_breadth);
+                    begin_of_wedge(self.motion, self.gravity, last, wet(slowed))
+                } else {
+                    BEGIN * last
+                };
+                begin.min(LATEST * wet(self.section.first_face()[0])).min(without_gravity)
             }
         }
     }
@@ -253,10 +263,25 @@ pub(super) fn keels(section: &Section) -> Vec<AddedKeel> {
     angles.flat_map(|deg| widths.iter().map(move |first| AddedKeel { deg, first: *first })).collect()
 }
 
-/// The share at which the flow about a wedge begins, by its motion and gravity in the water [m/s²].
-pub(super) fn begin(motion: SectionMotion, gravity: f64) -> f64 {
+/// The draught at which the flow about a straight wedge begins [m]: a share of the `last` one [m], at most that at which the wedge is `slowed` [m].
+pub(super) fn begin_of_wedge(motion: SectionMotion, gravity: f64, last: f64, slowed: f64) -> f64 {
     let is_similar = matches!(motion, SectionMotion::Constant) && gravity == 0.0;
-    if is_similar { BEGIN_OF_SIMILAR } else { BEGIN }
+    let latest = if is_similar { LATEST_OF_SIMILAR } else { LATEST_OF_WEDGE };
+    slowed.clamp(BEGIN * last, latest * last)
+}
+
+/// The draught at which the flow about faces of a `slope` [-] begins at the latest, for a speed [m/s] and a gravity [m/s²]; infinite without gravity [m].
+pub(super) fn latest_under_gravity(speed: f64, gravity: f64, slope: f64) -> f64 {
+    let [least, of_slope] = LATEST_UNDER_GRAVITY;
+    least.min(of_slope / slope) * speed * speed / gravity.max(f64::MIN_POSITIVE)
+}
+
+/// Half width of the wetted bottom at which the water, of the added mass ½πρc², has taken the share `SLOWED` of the speed [m].
+pub(super) fn slowed_at(motion: SectionMotion, density: f64) -> f64 {
+    match motion {
+        SectionMotion::Constant => f64::INFINITY,
+        SectionMotion::Free(mass) => (2.0 * SLOWED * mass / (std::f64::consts::PI * density)).sqrt(),
+    }
 }
 
 /// The acceleration in air [m/s²] of a body at a draught [m] and a downward speed [m/s], the time of its contact [s], and its speed then.

@@ -11,6 +11,8 @@ use super::face::{Face, Place};
 const FINEST: f64 = 0.35;
 /// Largest thickness that counts, over c.
 const THICKEST: f64 = 0.08;
+/// Least element next to the jet past a wet chine, over the thickness of its cut: the jet grows thicker there than on the face.
+const OF_CUT: f64 = 0.4;
 
 /// The face, and the surface that left the chine where it is wet, from the jet's cut to the chine.
 #[derive(Clone, Copy)]
@@ -59,8 +61,10 @@ impl LowerSide<'_> {
 
     /// Size of the elements next to the jet's end [m].
     pub fn finest(&self, end: c64) -> f64 {
-        let c = self.nearest(end).foot.re;
+        let Nearest { foot, away, .. } = self.nearest(end);
         let along = self.face.nearest(end, true).along;
-        self.sizes.jet * FINEST * c * (self.face.equivalent_angle(along).tan().powi(2) / (2.0 * PI)).min(THICKEST)
+        let thickness = (self.face.equivalent_angle(along).tan().powi(2) / (2.0 * PI)).min(THICKEST);
+        let on_face = FINEST * foot.re * thickness;
+        self.sizes.jet * if self.underside.is_some() { on_face.max(OF_CUT * away) } else { on_face }
     }
 }

@@ -2,7 +2,9 @@
 
 use super::{RolledFlow, RolledLoad};
 use crate::asymmetric_similarity::AsymmetricFlow;
-use crate::boundary_element::entry::{LATEST_UNDER_GRAVITY, STOPPED, begin, contact, fall, rate, until_the_flow};
+use crate::boundary_element::entry::{
+    STOPPED, begin_of_wedge, contact, fall, latest_under_gravity, rate, slowed_at, until_the_flow,
+};
 use crate::entry::SectionMotion;
 use crate::model::{EntryModel, OutOfRange};
 
@@ -92,8 +94,11 @@ impl RolledEntry {
             .map_err(|none| refuse(none.as_case()))?;
         let wet = (0..2).map(|i| self.lengths[i] / similar.faces()[i].peak).fold(f64::INFINITY, f64::min);
         let last = (at_contact * left + 0.5 * g * left * left).min(wet);
-        let without_gravity = LATEST_UNDER_GRAVITY * at_contact * at_contact / self.gravity.max(f64::MIN_POSITIVE);
-        Ok((begin(self.motion, self.gravity) * last.max(1e-9 * wet)).min(without_gravity))
+        let slope = self.deadrises[0].max(self.deadrises[1]).tan();
+        let without_gravity = latest_under_gravity(at_contact, self.gravity, slope);
+        let half_width = |i: usize| similar.faces()[i].peak * self.deadrises[i].cos(); // per draught
+        let slowed = slowed_at(self.motion, self.density) / (0.5 * (half_width(0) + half_width(1)));
+        Ok(begin_of_wedge(self.motion, self.gravity, last.max(1e-9 * wet), slowed).min(without_gravity))
     }
 
     fn rate(&self, load: &RolledLoad) -> f64 {
