@@ -14,14 +14,16 @@ use crate::errors;
 pub fn assignments(set: Option<&Bound<'_, PyDict>>) -> PyResult<Vec<String>> {
     let Some(set) = set else { return Ok(Vec::new()) };
     let assignment = |(key, value): (Bound<'_, PyAny>, Bound<'_, PyAny>)| {
-        let Ok(name) = key.cast::<PyString>() else {
+        let name = key.cast::<PyString>().ok().map(|name| name.to_string()).filter(|name| !name.contains('='));
+        let Some(name) = name else {
             return Err(errors::input(format!("set: key {key}: expected text such as \"resolution.spacing\"")));
         };
         let text = match value.cast::<PyString>() {
             Ok(text) => text.to_string(), // as in a shell: `30ms` and `weak` need no quotes
-            Err(_) => {
-                literal(&value).map_err(|expected| errors::input(format!("set: {name} = {value}: {expected}")))?
-            }
+            Err(_) => literal(&value).map_err(|expected| {
+                let given = value.str().map_or_else(|_| "an object".into(), |given| given.to_string());
+                errors::setting(set.py(), &name, &given, expected)
+            })?,
         };
         Ok(format!("{name}={text}"))
     };
@@ -30,7 +32,10 @@ pub fn assignments(set: Option<&Bound<'_, PyDict>>) -> PyResult<Vec<String>> {
 
 /// A value as TOML has it.
 fn literal(value: &Bound<'_, PyAny>) -> Result<String, &'static str> {
-    const EXPECTED: &str = "expected a number, a truth value, text, or a list of them";
+    const EXPECTED: &str = "a finite number, a truth value, text, or a list of them";
+    if let Ok(plain) = value.call_method0("tolist") {
+        return literal(&plain); // of NumPy
+    }
     if let Ok(text) = value.cast::<PyString>() {
         return Ok(serde_json::Value::String(text.to_string()).to_string());
     }
@@ -43,7 +48,8 @@ fn literal(value: &Bound<'_, PyAny>) -> Result<String, &'static str> {
         return value.is_truthy().map(|is| is.to_string()).map_err(|_| EXPECTED);
     }
     let whole = value.extract::<i64>().map(|number| number.to_string());
-    whole.or_else(|_| value.extract::<f64>().map(|number| format!("{number:?}"))).map_err(|_| EXPECTED)
+    let number = || value.extract::<f64>().ok().filter(|number| number.is_finite());
+    whole.ok().or_else(|| number().map(|number| format!("{number:?}"))).ok_or(EXPECTED)
 }
 
 /// A path as text.
