@@ -22,7 +22,7 @@ from scipy.optimize import brentq  # type: ignore[import-untyped]
 
 SCENE = "flexible_wedge"
 THICKNESS = "body.panels[0].thickness"
-GIVEN = {"model": "boundary_element", "time.end": 0.01, "body.panels[0].allowable_stress": 120e6, "body.panels[0].elements": 12}
+GIVEN = {"model": "boundary_element", "time.end": 0.01, "body.panels[0].allowable_stress": 120e6, "body.panels[0].elements": 8}
 FROM, TO = 0.0025, 0.004  # m
 
 

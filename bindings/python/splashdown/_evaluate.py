@@ -162,6 +162,8 @@ class _Folder:
 
     def __init__(self, given: str | os.PathLike[str]) -> None:
         try:
+            if given == "":
+                raise ValueError("it names none")
             self.folder = pathlib.Path(given)
             self.folder.mkdir(parents=True, exist_ok=True)
         except (OSError, TypeError, ValueError) as error:
@@ -240,6 +242,8 @@ def evaluate(
         raise InputError(f"threads = {threads!r}: expected a whole number from 1")
     if threads is None and threading.current_thread() is not threading.main_thread():
         threads = 1
+    if set is not None and not isinstance(set, Mapping):
+        raise InputError(f"set = {set!r}: expected a mapping from keys to values, as {{'body.mass': 220.0}}")
     resolved = Resolved(scene, None if set is None else dict(set))
 
     def run() -> tuple[str, Series]:

@@ -20,7 +20,7 @@ pub fn assignments(set: Option<&Bound<'_, PyDict>>) -> PyResult<Vec<String>> {
         };
         let text = match value.cast::<PyString>() {
             Ok(text) => text.to_string(), // as in a shell: `30ms` and `weak` need no quotes
-            Err(_) => literal(&value).map_err(|expected| {
+            Err(_) => literal(&value, DEEPEST).map_err(|expected| {
                 let given = value.str().map_or_else(|_| "an object".into(), |given| given.to_string());
                 errors::setting(set.py(), &name, &given, expected)
             })?,
@@ -30,18 +30,22 @@ pub fn assignments(set: Option<&Bound<'_, PyDict>>) -> PyResult<Vec<String>> {
     set.iter().map(assignment).collect()
 }
 
-/// A value as TOML has it.
-fn literal(value: &Bound<'_, PyAny>) -> Result<String, &'static str> {
+/// Lists in lists of a value, at most: one that holds itself has no end.
+const DEEPEST: usize = 16;
+
+/// A value as TOML has it, in which lists may be `depth` deep.
+fn literal(value: &Bound<'_, PyAny>, depth: usize) -> Result<String, &'static str> {
     const EXPECTED: &str = "a finite number, a truth value, text, or a list of them";
+    let inner = depth.checked_sub(1).ok_or("lists that are less deep")?;
     if let Ok(plain) = value.call_method0("tolist") {
-        return literal(&plain); // of NumPy
+        return literal(&plain, inner); // of NumPy
     }
     if let Ok(text) = value.cast::<PyString>() {
         return Ok(serde_json::Value::String(text.to_string()).to_string());
     }
     if value.is_instance_of::<PyList>() || value.is_instance_of::<PyTuple>() {
         let items = value.try_iter().map_err(|_| EXPECTED)?;
-        let items = items.map(|item| item.map_err(|_| EXPECTED).and_then(|item| literal(&item)));
+        let items = items.map(|item| item.map_err(|_| EXPECTED).and_then(|item| literal(&item, inner)));
         return Ok(format!("[{}]", items.collect::<Result<Vec<_>, _>>()?.join(", ")));
     }
     if value.is_instance_of::<PyBool>() {

@@ -15,6 +15,8 @@ import splashdown
 from splashdown import _evaluate
 
 DROP: dict[str, Any] = {"model": "mlm", "time.end": 0.01}
+HOLDS_ITSELF: list[Any] = []
+HOLDS_ITSELF.append(HOLDS_ITSELF)
 FORCE = "peak_force_N_per_m"
 
 
@@ -210,6 +212,7 @@ def test_results_go_to_other_processes() -> None:
         ("body.mass", None, "finite number"),
         ("body.velocity", [0.0, np.nan], "finite"),
         ("body.velocity", {0.0, -6.15}, "finite number"),
+        ("body.velocity", HOLDS_ITSELF, "less deep"),
         ("body.panels[3].thickness", 0.003, "panels"),
         ("model", "magic", "boundary_element"),
         ("body.mass=3 #", 241, "expected text"),
@@ -225,13 +228,19 @@ def test_a_wrong_value_names_its_key(key: str, value: Any, words: str) -> None:
         assert raised.value.key == key and raised.value.expected is not None
 
 
+@pytest.mark.parametrize("given", ["body.mass=3", [("body.mass", 3)], 3])
+def test_settings_that_are_no_mapping(given: Any) -> None:
+    with pytest.raises(splashdown.InputError, match="expected a mapping"):
+        splashdown.evaluate("wedge", given)
+
+
 @pytest.mark.parametrize("threads", [0, -1, 1.5, True, "2", 100_000])
 def test_wrong_threads(threads: Any) -> None:
     with pytest.raises(splashdown.InputError, match="threads = "):
         splashdown.evaluate("wedge", DROP, threads=threads)
 
 
-@pytest.mark.parametrize("cache", [True, 3, __file__])
+@pytest.mark.parametrize("cache", [True, 3, "", __file__])
 def test_a_cache_that_is_no_folder(cache: Any) -> None:
     with pytest.raises(splashdown.InputError, match="expected a folder"):
         splashdown.evaluate("wedge", DROP, cache=cache)
