@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from splashdown._run import Run
 from splashdown._types import BodyMotion, BodyShape, LoggedParticles, Nodes, Particles, Sizes, Snapshot
 
-__all__ = ["Contribution", "Host", "InputError", "Log", "Simulation", "StepError", "__version__", "check", "execute", "run_scene", "scenes", "toml_to_json"]
+__all__ = ["Contribution", "Host", "InputError", "Log", "Resolved", "Simulation", "StepError", "__version__", "check", "execute", "run_scene", "scenes", "toml_to_json"]
 
 __version__: str
 
@@ -38,6 +38,15 @@ def run_scene(
     threads: int | None = None,
     force: bool = False,
 ) -> tuple[str, str, list[tuple[str, _Numbers]]]: ...
+@final
+class Resolved:
+    def __new__(cls, scene: _Path, set: dict[str, Any] | None = None) -> Resolved: ...
+    @property
+    def identity(self) -> str: ...
+    @property
+    def is_theory(self) -> bool: ...
+    def run(self, threads: int | None = None) -> tuple[str, list[tuple[str, _Numbers]]]: ...
+
 @final
 class Log:
     def __new__(cls, folder: _Path) -> Log: ...

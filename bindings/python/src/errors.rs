@@ -29,6 +29,17 @@ pub fn input(text: impl ToString) -> PyErr {
     InputError::new_err(text.to_string())
 }
 
+/// A value of a key that no scene has.
+pub fn setting(py: Python<'_>, key: &str, given: &str, expected: &str) -> PyErr {
+    let raised = input(format!("set: {key} = {given}: expected {expected}"));
+    let of = raised.value(py);
+    let named = [("key", key), ("given", given), ("expected", expected)];
+    match named.into_iter().try_for_each(|(name, text)| of.setattr(name, text)) {
+        Ok(()) => raised,
+        Err(error) => error,
+    }
+}
+
 /// A step that failed.
 pub fn step(text: impl ToString) -> PyErr {
     StepError::new_err(text.to_string())

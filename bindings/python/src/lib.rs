@@ -7,6 +7,7 @@ mod arrays;
 mod call;
 mod command;
 mod errors;
+mod evaluation;
 mod folder;
 mod host;
 mod host_arrays;
@@ -23,6 +24,8 @@ mod _core {
     use crate::command::{check, execute, scenes};
     #[pymodule_export]
     use crate::errors::{InputError, StepError};
+    #[pymodule_export]
+    use crate::evaluation::Resolved;
     #[pymodule_export]
     use crate::folder::{Log, toml_to_json};
     #[pymodule_export]

@@ -57,15 +57,21 @@ pub fn run_scene<'py>(
 
 /// Summary, scene and series of a run.
 pub fn results<'py>(py: Python<'py>, outcome: &Outcome, scene: &Scene) -> PyResult<(String, String, Columns<'py>)> {
-    let mut columns = Vec::new();
-    for name in outcome.series.columns() {
-        let column = outcome.series.column(name).unwrap_or_default();
-        columns.push((name.clone(), arrays::values(py, column)?));
-    }
-    Ok((outcome.summary.to_json(), scene.to_toml(), columns))
+    Ok((outcome.summary.to_json(), scene.to_toml(), columns(py, outcome)?))
 }
 
-fn refuse_threads(threads: Option<usize>) -> PyResult<()> {
+/// Columns of the series of a run.
+pub fn columns<'py>(py: Python<'py>, outcome: &Outcome) -> PyResult<Columns<'py>> {
+    let names = outcome.series.columns().iter();
+    let column = |name: &String| {
+        let values = outcome.series.column(name).unwrap_or_default();
+        Ok((name.clone(), arrays::values(py, values)?))
+    };
+    names.map(column).collect()
+}
+
+/// An error where a number of threads is not one that is started.
+pub fn refuse_threads(threads: Option<usize>) -> PyResult<()> {
     let most = MOST_THREADS * available_parallelism().map_or(1, usize::from);
     match threads {
         Some(n) if n == 0 || n > most => {

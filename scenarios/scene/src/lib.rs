@@ -20,6 +20,7 @@ mod entries;
 mod error;
 mod estimate;
 mod follow;
+mod identity;
 mod ignored;
 mod impact;
 pub mod keys;
@@ -61,6 +62,7 @@ pub use error::SceneError;
 pub use estimate::{BYTES_PER_PARTICLE, memory_estimate, particle_estimate};
 pub use follow::{Follower, with_end};
 pub use fsi_coupling::{PanelEnd, Shape};
+pub use identity::identity;
 pub use impact::{Entry, jet_reach};
 pub use keys::{
     Axis, Beach, Block, Body, Compare, Coupling, CouplingScheme, Freedom, Gauge, GaugeFrame, Modes, Motion, Moved,

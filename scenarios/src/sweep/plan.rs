@@ -1,13 +1,11 @@
 //! The points of a sweep: their values, their folders, and what is left to run.
 
 use std::collections::HashSet;
-use std::hash::Hasher;
 use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
 use scene::{Loaded, SceneError};
 use serde::{Deserialize, Serialize};
-use siphasher::sip128::{Hasher128, SipHasher13};
 
 use super::error::SweepError;
 use super::file::{Kind, SCENE_AXIS, SweepFile, assignment};
@@ -45,15 +43,10 @@ impl Task {
 impl Resolved {
     /// Name of the point's folder: a hash of the resolved scene and of the program's version.
     pub fn id(&self) -> String {
-        let text = match self {
-            Resolved::Scene(loaded) => loaded.scene.to_toml(),
-            Resolved::Landing(landing) => landing.to_toml(),
-        };
-        let mut hasher = SipHasher13::new();
-        for part in [env!("CARGO_PKG_VERSION"), "\n", &text] {
-            hasher.write(part.as_bytes());
+        match self {
+            Resolved::Scene(loaded) => loaded.identity(),
+            Resolved::Landing(landing) => scene::identity([landing.to_toml().as_str()]),
         }
-        format!("{:032x}", hasher.finish128().as_u128())[..16].to_string()
     }
 }
 
