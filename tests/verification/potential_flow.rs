@@ -138,11 +138,18 @@ fn pressures_of_formulas_have_the_part_at_rest() {
     assert!((formula / flow - 1.0).abs() < 0.04, "{formula} Pa, {flow} Pa by boundary elements");
 }
 
-/// Where the flow of a free drop begins makes no difference while the chines are dry: an entry begins it at a sixth of the draught of wet chines,
-/// here it begins at a thirtieth. With wet chines both stay near: their steps, and so their instants of separation, differ.
+/// Where the flow of a free drop begins makes no difference while the chines are dry: an entry begins it at a sixth (light
+/// wedge) to half of the draught of wet chines (heavy one), here it begins at a thirtieth. With wet chines both stay near: their steps, and so their instants of separation, differ.
 #[test]
 fn a_free_drop_does_not_depend_on_where_its_flow_begins() {
-    let (deadrise_deg, breadth, mass, gravity, density, speed) = (30.0_f64, 0.5, 60.0, 9.81, 1000.0, 4.0);
+    for [deadrise_deg, mass, speed] in [[30.0, 60.0, 4.0], [30.0, 240.0, 6.0], [50.0, 240.0, 3.0]] {
+        begins_anywhere(deadrise_deg, mass, speed);
+    }
+}
+
+/// Angle [deg], mass [kg/m], speed [m/s].
+fn begins_anywhere(deadrise_deg: f64, mass: f64, speed: f64) {
+    let (breadth, gravity, density) = (0.5, 9.81, 1000.0);
     let wet = 0.5 * breadth * deadrise_deg.to_radians().tan() * std::f64::consts::FRAC_2_PI;
     let section = Section::wedge(deadrise_deg, breadth).expect("a section");
     let motion = SectionMotion::Free(mass);
