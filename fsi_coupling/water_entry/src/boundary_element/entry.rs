@@ -9,15 +9,16 @@ use super::state::EntryFlow;
 
 /// The flow begins at this share of the draught at which the chines are wet, or at which the wedge would be at the end.
 pub(super) const BEGIN: f64 = 1.0 / 6.0;
-/// The same at most of a straight wedge, whose flow is nearly the similar one: at constant speed without gravity until its chines are wet.
+/// The largest such share of a straight wedge, whose flow is nearly the similar one.
 const LATEST_OF_WEDGE: f64 = 0.5;
+/// The share of a straight wedge at constant speed without gravity, whose flow is the similar one.
 const LATEST_OF_SIMILAR: f64 = 0.6;
-/// And at the latest where the water has taken this share of a free wedge's speed, if that is not before `BEGIN`.
+/// Share of its speed that a free wedge has lost then at most, unless that is before `BEGIN`.
 const SLOWED: f64 = 0.1;
 /// And at the latest at this share of the draught at which the faces next to the keel are wet.
 pub(super) const LATEST: f64 = 0.5;
-/// And at the latest at this draught over V²/g, and over V²/(g tan β): the similar flow, from which it begins, has no gravity, and buoyancy is then
-/// below 0.5 % of its load.
+/// Latest draught over V²/g on flat faces, and over V²/(g tan β) on steep ones: the similar flow has no gravity. Buoyancy is then below 0.5 % of its
+/// load.
 const LATEST_UNDER_GRAVITY: [f64; 2] = [0.02, 0.01];
 /// Angle of the keel that is added to a round bottom [deg].
 pub(super) const KEEL_DEG: f64 = 15.0;
@@ -263,7 +264,7 @@ pub(super) fn keels(section: &Section) -> Vec<AddedKeel> {
     angles.flat_map(|deg| widths.iter().map(move |first| AddedKeel { deg, first: *first })).collect()
 }
 
-/// The draught at which the flow about a straight wedge begins [m]: a share of the `last` one [m], at most that at which the wedge is `slowed` [m].
+/// The draught at which the flow about a straight wedge begins [m]: that at which the wedge is `slowed` [m], between two shares of the `last` one [m].
 pub(super) fn begin_of_wedge(motion: SectionMotion, gravity: f64, last: f64, slowed: f64) -> f64 {
     let is_similar = matches!(motion, SectionMotion::Constant) && gravity == 0.0;
     let latest = if is_similar { LATEST_OF_SIMILAR } else { LATEST_OF_WEDGE };
@@ -272,8 +273,8 @@ pub(super) fn begin_of_wedge(motion: SectionMotion, gravity: f64, last: f64, slo
 
 /// The draught at which the flow about faces of a `slope` [-] begins at the latest, for a speed [m/s] and a gravity [m/s²]; infinite without gravity [m].
 pub(super) fn latest_under_gravity(speed: f64, gravity: f64, slope: f64) -> f64 {
-    let [least, of_slope] = LATEST_UNDER_GRAVITY;
-    least.min(of_slope / slope) * speed * speed / gravity.max(f64::MIN_POSITIVE)
+    let [flat, steep] = LATEST_UNDER_GRAVITY;
+    flat.min(steep / slope) * speed * speed / gravity.max(f64::MIN_POSITIVE)
 }
 
 /// Half width of the wetted bottom at which the water, of the added mass ½πρc², has taken the share `SLOWED` of the speed [m].
