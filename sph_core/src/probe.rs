@@ -55,10 +55,39 @@ impl<'a> Probe<'a> {
                 points.extend(near);
             }
         }
+        Probe::of(fluid, &points)
+    }
+
+    /// The same for reading at or next to `places` [m] alone: what is farther from them than its kernel reaches is not sorted.
+    pub fn near(fluid: &'a Fluid, places: &[[f64; 2]]) -> Probe<'a> {
+        if fluid.domain().periodic.is_some() {
+            return Probe::new(fluid);
+        }
+        let none = [f64::INFINITY, f64::NEG_INFINITY];
+        let [x, y] = places
+            .iter()
+            .fold([none; 2], |all, at| std::array::from_fn(|k| [all[k][0].min(at[k]), all[k][1].max(at[k])]));
+        let between = |place: f64, [low, high]: [f64; 2], reach: f64| low - reach <= place && place <= high + reach;
+        let reaches = |q: &Point| {
+            let beside = |[x, y]: &[f64; 2]| between(q.x, [*x; 2], q.reach) && between(q.y, [*y; 2], q.reach);
+            between(q.x, x, q.reach) && between(q.y, y, q.reach) && places.iter().any(beside)
+        };
+        let (p, mirror) = (fluid.particles(), fluid.domain().mirror);
+        let own = |k: usize| Point::at_rest([p.x[k], p.y[k]], 2.0 * p.h[k], k as u32);
+        let mut points: Vec<Point> = (0..p.len()).map(own).filter(reaches).collect();
+        if let Some(mirror) = mirror {
+            let images = (0..p.len()).map(own).filter(|q| q.x - mirror.at < 2.0 * q.reach);
+            points.extend(images.map(|q| Point { x: mirror.reflect(q.x), ..q }).filter(reaches));
+        }
+        Probe::of(fluid, &points)
+    }
+
+    /// Of those of the fluid, and of its images, that count.
+    fn of(fluid: &'a Fluid, points: &[Point]) -> Probe<'a> {
         let widest = points.iter().map(|q| q.reach).fold(0.0, f64::max);
         let visibility = Visibility::new(&fluid.system().packed.midlines, fluid.domain().mirror);
         let face = fluid.face_kernel_sum();
-        Probe { fluid, cells: Cells::build(&points), visibility, reach: 2.0 * widest, face }
+        Probe { fluid, cells: Cells::build(points), visibility, reach: 2.0 * widest, face }
     }
 
     /// Call `take` with weight V W and index of every particle around `at` [m] that is seen from there (WA8), each with its

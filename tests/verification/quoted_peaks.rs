@@ -60,16 +60,16 @@ fn a_light_drop_is_not_resolved_whatever_draught_the_run_shows() {
     );
 }
 
-/// A drop at 0.1 m/s that gravity makes ten times as fast, against the modified Logvinovich model.
+/// A drop at 0.1 m/s that gravity makes ten times as fast, against the modified Logvinovich model. The force grows to the end of the run: no peak.
 #[test]
-fn a_slow_drop_is_right_within_its_band() {
+fn a_slow_drop_is_right_and_its_force_at_the_end_is_no_peak() {
     let spacing = if long() { "resolution.spacing=0.008" } else { "resolution.spacing=0.009" };
     let set = ["body.velocity=[0.0, -0.1]", "time.end=0.3", spacing];
     let force = |sets: &[&str]| peak_force(&summary("wedge", &[&set[..], sets].concat()));
     let (particles, theory) = (force(&[]), force(&["model=mlm"]));
     println!("{particles:?} {theory:?}");
-    assert_eq!(particles.verdict, Verdict::Resolved);
-    assert!((particles.value - theory.value).abs() < particles.band.expect("a band"), "{particles:?} {theory:?}");
+    assert_eq!([particles.verdict, theory.verdict], [Verdict::NotResolved; 2]);
+    assert!((particles.value / theory.value - 1.0).abs() < 0.05, "{particles:?} {theory:?}");
 }
 
 /// A flat bottom: no peak is right, and the impulse is the momentum that the water takes, with that of its weight.

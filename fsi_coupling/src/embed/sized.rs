@@ -17,7 +17,7 @@ use crate::coupling::scheme::Scheme;
 use crate::geometry::layout::{Basin, Cell, Layout};
 use crate::geometry::outline::Outline;
 use crate::geometry::plate_sampling::boundary_particles;
-use crate::geometry::polygon::{bounding_box, thinnest_web};
+use crate::geometry::polygon::{bounding_box, minimum_width, thinnest_web};
 use crate::geometry::rows::WallRows;
 
 /// Memory of an element that has taken its first step and saved: bytes for each particle of water, for each of the walls
@@ -124,7 +124,7 @@ impl FluidElementSpec {
 /// A closed surface needs room for the layers of boundary particles behind each of its faces.
 fn refuse_thin(topology: &Topology, outline: &Outline, rows: f64) -> Result<(), HostError> {
     for (k, (surface, corners)) in topology.surfaces.iter().zip(outline.loops()).enumerate() {
-        let thickness = thinnest_web(corners);
+        let thickness = minimum_width(corners).min(thinnest_web(corners));
         if matches!(surface, WetSurface::Closed(_) | WetSurface::Carried { .. })
             && thickness < 2.0 * rows * (1.0 - 1e-9)
         {

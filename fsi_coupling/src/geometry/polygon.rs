@@ -62,11 +62,17 @@ pub fn minimum_width(points: &[[f64; 2]]) -> f64 {
         .fold(f64::INFINITY, f64::min)
 }
 
-/// Smallest distance from the middle of a side, straight into the polygon, to a side that is not its neighbour [m]:
-/// the thickness of its thinnest fin or web; infinite for a triangle.
+/// Least way along an outline between both sides of a web, over its thickness [-]: beside a corner of 19° and more the way is shorter.
+const AROUND_WEB: f64 = 6.0;
+
+/// Smallest distance from the middle of a side, straight into the polygon, to a side that is not its neighbour [m]: the thickness of its
+/// thinnest fin or web, corners apart; infinite for a triangle.
 pub fn thinnest_web(outline: &[[f64; 2]]) -> f64 {
     let sides: Vec<_> = edges(outline).collect();
     let n = sides.len();
+    let length = |k: usize| (sides[k].1[0] - sides[k].0[0]).hypot(sides[k].1[1] - sides[k].0[1]);
+    let starts: Vec<f64> =
+        (0..=n).scan(0.0, |s, k| Some(std::mem::replace(s, *s + if k < n { length(k) } else { 0.0 }))).collect();
     let mut thinnest = f64::INFINITY;
     for (i, (a, b)) in sides.iter().enumerate() {
         let (inward, middle) = (normal(*a, *b).map(|x| -x), [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])]);
@@ -77,7 +83,9 @@ pub fn thinnest_web(outline: &[[f64; 2]]) -> f64 {
             let (u, w) = ([d[0] - c[0], d[1] - c[1]], [c[0] - middle[0], c[1] - middle[1]]);
             let cross = inward[0] * u[1] - inward[1] * u[0];
             let (along, share) = ((w[0] * u[1] - w[1] * u[0]) / cross, (w[0] * inward[1] - w[1] * inward[0]) / cross);
-            if along > 0.0 && (0.0..=1.0).contains(&share) {
+            let way = (starts[i] + 0.5 * length(i) - starts[j] - share * length(j)).abs();
+            let is_web = way.min(starts[n] - way) > AROUND_WEB * along;
+            if along > 0.0 && (0.0..=1.0).contains(&share) && is_web {
                 thinnest = thinnest.min(along);
             }
         }
@@ -207,7 +215,15 @@ mod tests {
             [-0.2, 0.2],
         ];
         assert!((thinnest_web(&fin) - 0.01).abs() < 1e-15);
-        assert_eq!(thinnest_web(&RECTANGLE), 1.0);
+        assert_eq!(thinnest_web(&RECTANGLE), f64::INFINITY);
+        // the corner between a deck and a side of many points is no web
+        let deck = |n: usize| {
+            let side = |k: usize| [0.5 + 0.5 * k as f64 / n as f64, 0.4 * k as f64 / n as f64];
+            let right: Vec<[f64; 2]> = (0..=n).map(side).collect();
+            let left = right.iter().rev().map(|[x, y]| [-x, *y]);
+            [right.clone(), left.collect()].concat()
+        };
+        assert!(thinnest_web(&deck(200)) > 0.39, "{}", thinnest_web(&deck(200)));
     }
 
     #[test]

@@ -169,7 +169,14 @@ fn refuse_rising(draft: &Draft, body: &Body) -> Result<(), Problem> {
 fn resolve_tank(draft: &mut Draft) -> Result<Tank, Problem> {
     let expected =
         "a length [m]: \"auto\" needs a body that falls or moves down into the water and that no joint holds";
-    let length = |key: &str| draft.get::<f64>(key).ok_or_else(|| Problem::missing(key, expected));
+    let missing = |key: &str| match draft.get::<[f64; 2]>("body.velocity") {
+        Some(velocity) if velocity[1] == 0.0 && draft.is_given("body.velocity") => {
+            let expected = "y below 0, down into the water, or a [tank] with width and depth: this body does not fall";
+            Problem::new("body.velocity", format!("{velocity:?}"), expected)
+        }
+        _ => Problem::missing(key, expected),
+    };
+    let length = |key: &str| draft.get::<f64>(key).ok_or_else(|| missing(key));
     let (depth, width) = (length("tank.depth")?, length("tank.width")?);
     let water_width = draft.fill("tank.water_width", width);
     let crest = draft.get::<f64>("tank.wave_maker.height").map_or(0.0, |height| depth + height);

@@ -6,7 +6,7 @@ use clap::Args;
 use decide::Evaluator;
 use decide::fit::{DataError, Fitted, fit, read};
 use report::{Block, Chart, Curve, Mark, page};
-use settings::significant;
+use settings::{DataLine, Problem, significant};
 
 use super::decisions::{finish, folder, stop};
 use super::shared::{Output, SceneArgs, Stop};
@@ -31,11 +31,27 @@ pub(super) struct FitArgs {
 
 pub(super) fn run_fit(output: &Output, args: &FitArgs) -> Result<u8, Stop> {
     let evaluator = Evaluator::new(&args.scene.scene, &args.scene.sets).map_err(stop)?;
-    let curves = read(&args.data).map_err(|error: DataError| Stop::Input(error.to_string()))?;
+    let curves = read(&args.data)?;
     let out = folder(&args.out, &evaluator, "fit", args.force)?;
     let fitted = fit(&evaluator, &args.keys, &curves).map_err(stop)?;
     let files = [("curves.csv", csv(&fitted)), ("fit.html", html(&fitted))];
     finish(output, &out, "fit", &fitted, &words(&fitted), &files)
+}
+
+impl From<DataError> for Stop {
+    fn from(error: DataError) -> Stop {
+        let sentence = error.to_string();
+        match error {
+            DataError::Line { file, line, given, expected } => Stop::Line(Box::new(Problem {
+                sentence,
+                given: Some(given),
+                expected,
+                line: Some(Box::new(DataLine { file, line })),
+                ..Problem::default()
+            })),
+            DataError::Read(..) => Stop::Input(sentence),
+        }
+    }
 }
 
 fn words(fitted: &Fitted) -> String {

@@ -64,6 +64,7 @@ const answers = {
 
   quote(answer) {
     const box = $("quote"), quote = answer?.quote;
+    $("number").classList.toggle("old", Boolean(scene.error));
     box.className = `quote ${!quote ? "" : scene.error ? "care" : { resolved: quote.share > 0.3 ? "care" : "good", no_band: "care" }[quote.verdict] || "bad"}`;
     const wrong = scene.error ? "The scene has a mistake: see Keys. The number is that of the last scene without one." : "";
     const doubts = (answer?.doubts || []).map((text) => `Doubt: ${text}`);

@@ -125,7 +125,7 @@ const fields = {
           const give = () => { if (all() !== sent) set((sent = all())); };
           input.addEventListener("input", () => { clearTimeout(input.later); input.later = setTimeout(give, 250); });
           input.addEventListener("change", () => { clearTimeout(input.later); give(); sent = null; });
-          const one = make("div", { class: "one" }, input);
+          const one = make("div", { class: "one" }, numbers?.length > 1 ? make("small", {}, "xyz"[k] || "") : "", input);
           if (numbers) {
             const slider = make("input", { type: "range", "aria-label": `Slider of ${label || key}`, tabindex: 0, step: "any" });
             slider.addEventListener("input", () => { input.value = plain(+slider.value); sent = all(); set(sent); });
@@ -160,7 +160,7 @@ const fields = {
     field.update = (value, wrong) => {
       const text = value ?? "", numbers = numeric(text);
       const kind = word.takes.includes(" | ") || word.takes === "true or false" ? "choice" : /^\[\s*\[/.test(text) || text.length > 60 ? "long" : numbers ? `numbers${numbers.length}` : "text";
-      if (kind !== field.kind && !(field.kind && inputs.contains(document.activeElement) && kind === "text")) {
+      if (kind !== field.kind && !(field.kind && inputs.contains(document.activeElement))) {
         field.kind = kind;
         node.classList.toggle("pair", /^numbers[23]/.test(kind));
         node.classList.toggle("long", kind === "long" || (kind === "text" && text.length > 14));
@@ -171,7 +171,7 @@ const fields = {
         const own = values?.[k];
         if (own !== undefined && input !== document.activeElement && input.value !== own) input.value = own;
         if (absent && input.tagName === "INPUT") input.placeholder = fields.resolved[key] || word.default;
-        if (input.slider && numbers && input.slider !== document.activeElement) span(input.slider, numbers[k]);
+        if (input.slider && numbers?.[k] !== undefined && input.slider !== document.activeElement) span(input.slider, numbers[k]);
         input.toggleAttribute("aria-invalid", false);
         if (wrong) input.setAttribute("aria-invalid", "true"); else input.removeAttribute("aria-invalid");
       });

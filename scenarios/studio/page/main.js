@@ -54,6 +54,7 @@ function show(view) {
     Object.assign(scene, { fingerprint: view.fingerprint, name: view.name });
     section.show(view.section);
     grid.show(scene.written);
+    $("run_error").textContent = "";
     $("cost").textContent = view.cost ? `${view.cost.fluid} particles, about ${duration(view.cost.core_seconds)} on one core` : "";
     answers.ask(scene.text);
     runs.match();

@@ -259,12 +259,10 @@ $("import").addEventListener("change", async (event) => {
   if (file.size > 1e6) return;
   try {
     const query = new URLSearchParams({ name: file.name, unit: $("import_unit").value });
-    const { points, error } = await ask(`/api/outline?${query}`, file);
+    const { points, error, mirrored } = await ask(`/api/outline?${query}`, file);
     $("import_error").textContent = error || "";
-    if (points) {
-      section.points = points;
-          section.replace(points);
-    }
+    $("import_note").textContent = mirrored ? `${file.name} holds one half: the other is its mirror image about x = 0.` : "";
+    if (points) section.replace(points);
   } catch (error) {
     $("import_error").textContent = error.message;
   }

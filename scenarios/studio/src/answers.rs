@@ -180,7 +180,9 @@ fn verdict(force: &Quantity) -> String {
         }
         (Verdict::Resolved, share) => {
             let within = share.map_or(String::new(), |share| format!(", {} %", two_digits(100.0 * share)));
-            format!("Resolved. Quote it with its band{within}: so far off was this model in the nearest case that was measured.")
+            format!(
+                "Resolved. Quote it with its band{within}: in the nearest cases this model was no farther from exact solutions or fine particles."
+            )
         }
         (Verdict::Acoustic, _) => {
             "Do not quote it alone: the peak depends on the speed of sound and on the time of averaging. Quote the impulse.".into()

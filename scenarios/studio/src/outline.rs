@@ -14,9 +14,24 @@ const NAME: &str = "outline";
 /// The points of a file, or what is wrong with it.
 pub fn read(name: &str, unit: Option<&str>, content: &[u8]) -> Value {
     match points(name, unit, content) {
-        Ok(points) => json!({"points": points, "error": null}),
-        Err(why) => json!({"points": null, "error": why}),
+        Ok(points) => {
+            let whole = mirrored(&points);
+            json!({"points": whole.as_ref().unwrap_or(&points), "mirrored": whole.is_some(), "error": null})
+        }
+        Err(why) => json!({"points": null, "mirrored": false, "error": why}),
     }
+}
+
+/// The whole of a section of which `half` has the points on one side of x = 0, its first there; `None` for others.
+fn mirrored(half: &[[f64; 2]]) -> Option<Vec<[f64; 2]>> {
+    let size = half.iter().map(|[x, _]| x.abs()).fold(0.0, f64::max);
+    let is_at_keel = |x: f64| x.abs() <= 1e-9 * size;
+    let side = half.iter().map(|[x, _]| *x).find(|x| !is_at_keel(*x))?.signum();
+    let is_half = half.iter().any(|[x, _]| is_at_keel(*x)) && half.iter().all(|[x, _]| side * x >= -1e-9 * size);
+    is_half.then(|| {
+        let images = half.iter().rev().filter(|[x, _]| !is_at_keel(*x)).map(|[x, y]| [-x, *y]);
+        half.iter().copied().chain(images).collect()
+    })
 }
 
 fn points(name: &str, unit: Option<&str>, content: &[u8]) -> Result<Vec<[f64; 2]>, String> {
@@ -37,6 +52,16 @@ fn points(name: &str, unit: Option<&str>, content: &[u8]) -> Result<Vec<[f64; 2]
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn half_a_section_is_mirrored() {
+        let read = |text: &[u8]| read("hull.csv", None, text);
+        let half = read(b"x,y\n0,0\n1,0.5\n1,1\n");
+        assert_eq!(half["mirrored"], true);
+        assert_eq!(half["points"].as_array().map(Vec::len), Some(5));
+        assert_eq!(half["points"][4], json!([-1.0, 0.5]));
+        assert_eq!(read(b"x,y\n-1,0\n1,0\n1,1\n-1,1\n")["mirrored"], false);
+    }
 
     #[test]
     fn points_of_a_file_are_those_of_an_outline_and_its_mistakes_have_a_line() {

@@ -66,7 +66,9 @@ fn a_grid_gives_a_table_worst_cases_and_a_page() {
 /// A theory that was measured nowhere near a point has no band there: its results are not resolved, in the table and on the page.
 #[test]
 fn a_theory_without_a_band_is_marked() {
-    let place = Place::new(&DROPS.replace("\"wagner\"", "\"mlm\"\ntime.end = 0.01").replace("[20, 30]", "[20, 40]"));
+    let place = Place::new(
+        &DROPS.replace("\"wagner\"", "\"mlm\"\ntime.end = 0.012\nbody.mass = 20").replace("[20, 30]", "[20, 40]"),
+    );
     assert_eq!(place.sweep(&[]).0, Some(0));
     let table = place.text("out/table.csv");
     let (head, rows) = csv(&table);

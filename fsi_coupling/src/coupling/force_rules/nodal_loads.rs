@@ -28,12 +28,12 @@ impl Side {
         [0, 1].map(|k| self.from[k] + t * self.length * self.along[k])
     }
 
-    /// Share along the side of the place nearest to `at`, and the distance to it [m].
+    /// Share along the side of the place nearest to `at`, and the square of the distance to it [m²].
     pub fn nearest(&self, at: [f64; 2]) -> (f64, f64) {
         let d = [at[0] - self.from[0], at[1] - self.from[1]];
         let t = ((d[0] * self.along[0] + d[1] * self.along[1]) / self.length).clamp(0.0, 1.0);
         let foot = self.at(t);
-        (t, (at[0] - foot[0]).hypot(at[1] - foot[1]))
+        (t, (at[0] - foot[0]).powi(2) + (at[1] - foot[1]).powi(2))
     }
 }
 

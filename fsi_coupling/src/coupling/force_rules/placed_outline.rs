@@ -79,10 +79,11 @@ impl<'a> PlacedOutline<'a> {
 
     /// The side nearest to a place, and the share along it.
     pub fn nearest(&self, at: [f64; 2]) -> (usize, f64) {
-        let distance = |s: &Side| s.nearest(at).1;
-        let side = (0..self.sides.len()).min_by(|&a, &b| distance(&self.sides[a]).total_cmp(&distance(&self.sides[b])));
-        let side = side.unwrap_or(0);
-        (side, self.sides[side].nearest(at).0)
+        let all = self.sides.iter().map(|side| side.nearest(at)).enumerate();
+        let nearer =
+            |best: (usize, (f64, f64)), here: (usize, (f64, f64))| if here.1.1 < best.1.1 { here } else { best };
+        let (side, (share, _)) = all.fold((0, (0.0, f64::INFINITY)), nearer);
+        (side, share)
     }
 
     /// GE9: loads of the corners from forces.

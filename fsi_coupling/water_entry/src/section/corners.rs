@@ -104,3 +104,17 @@ pub(super) fn hull_of(corners: &[[f64; 2]]) -> Vec<[f64; 2]> {
 fn sub(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     [a[0] - b[0], a[1] - b[1]]
 }
+
+/// Lowest place [m] of an outline that is farther than `width` [m] from x = `x0`; infinite without one.
+pub(super) fn lowest_beyond(points: &[[f64; 2]], x0: f64, width: f64) -> f64 {
+    let beyond = |p: &[f64; 2]| (p[0] - x0).abs() > width;
+    let sides = points.iter().zip(points.iter().cycle().skip(1)).filter(|(a, b)| beyond(a) || beyond(b));
+    let lowest_of = |(a, b): (&[f64; 2], &[f64; 2])| {
+        let at = |x: f64| {
+            Some((x - a[0]) / (b[0] - a[0])).filter(|t| (0.0..=1.0).contains(t)).map(|t| a[1] + t * (b[1] - a[1]))
+        };
+        let ends = [a, b].into_iter().filter(|p| beyond(p)).map(|p| p[1]);
+        ends.chain([x0 - width, x0 + width].into_iter().filter_map(at)).fold(f64::INFINITY, f64::min)
+    };
+    sides.map(lowest_of).fold(f64::INFINITY, f64::min)
+}

@@ -2,7 +2,7 @@
 
 mod corners;
 
-use corners::{area_between, areas_of, corners_of, hull_of, slopes_of, straightened, without_dents};
+use corners::{area_between, areas_of, corners_of, hull_of, lowest_beyond, slopes_of, straightened, without_dents};
 
 use super::curve::{self, Piece};
 use super::model::{EntryModel, OutOfRange};
@@ -19,6 +19,10 @@ const OFF_CIRCLE: f64 = 0.005;
 const ARC_CORNERS: usize = 96;
 /// Slope of a face that is level [-].
 const LEVEL: f64 = 1e-6;
+/// Height over the keel, over the breadth, from which what reaches farther out than the bottom stays dry [-]: no flow is followed to such a draught.
+const DRY: f64 = 1.0;
+/// Share of the half breadth by which sides may reach farther out than the place where the outline first turns back: those of curves bulge [-].
+const FLARE: f64 = 0.02;
 /// Turn of a knuckle, from which a curve does not pass it [rad].
 pub(super) const KNUCKLE: f64 = 3.0 * std::f64::consts::PI / 180.0;
 
@@ -89,7 +93,8 @@ impl Section {
     /// The bottom of an upright body whose outline has these corners [m], in order around it.
     ///
     /// # Errors
-    /// A flat bottom, one that is lopsided about its keel, one that is less steep than 4 degrees.
+    /// A flat bottom, one that is lopsided about its keel, one that is less steep than 4 degrees; a bottom beyond which the outline reaches farther out,
+    /// as with steps or side hulls.
     pub fn of_polygon(points: &[[f64; 2]]) -> Result<Section, OutOfRange> {
         let n = points.len();
         let lowest = points.iter().map(|p| p[1]).fold(f64::INFINITY, f64::min);
@@ -121,6 +126,13 @@ impl Section {
             return Err(OutOfRange::not_a_section("a section that is lopsided about its keel"));
         }
         let section = Section::new(&right)?;
+        let half_breadth = section.half_breadth();
+        let height = lowest_beyond(points, x0, half_breadth * (1.0 + FLARE)) - lowest;
+        if height < DRY * 2.0 * half_breadth {
+            return Err(OutOfRange::not_a_section(&format!(
+                "an outline that turns back or up {half_breadth} m from its keel, and reaches farther out from {height:.4} m above it on"
+            )));
+        }
         match section.circle() {
             Some(radius) => Section::arc(radius, 2.0 * section.half_breadth()),
             None if section.flat_keel().is_some() && section.slopes.len() == 1 => {
@@ -345,41 +357,4 @@ impl OutOfRange {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// A straight face of 0.5 m, its points rounded to a digit of `unit` [m].
-    fn rounded(unit: f64) -> Vec<[f64; 2]> {
-        let round = |value: f64| (value / unit).round() * unit;
-        (0..=37).map(|k| 0.5 * f64::from(k) / 37.0).map(|x| [round(x), round(0.364 * x)]).collect()
-    }
-
-    #[test]
-    fn a_face_with_rounded_points_is_convex() {
-        let corners = rounded(1e-5);
-        assert!(slopes_of(&corners).windows(2).any(|w| w[1] < w[0] - 1e-4));
-        let section = Section::new(&corners).expect("a convex bottom");
-        assert!(section.slopes.windows(2).all(|w| w[1] > w[0]));
-        for [x, y] in corners {
-            assert!((section.height(x) - y).abs() < 2e-5);
-        }
-        assert!((section.wagner_draught(0.3) - 0.3 * 0.364 * std::f64::consts::FRAC_2_PI).abs() < 1e-5);
-    }
-
-    /// Points on a straight face add nothing to it, whether it is the only one or not.
-    #[test]
-    fn corners_on_straight_lines_are_none() {
-        assert_eq!(Section::new(&[[0.0, 0.0], [0.15, 0.07], [0.3, 0.14]]), Section::new(&[[0.0, 0.0], [0.3, 0.14]]));
-        let bent = [[0.0, 0.0], [0.1, 0.02], [0.2, 0.04], [0.25, 0.08], [0.3, 0.12]];
-        assert_eq!(Section::new(&bent), Section::new(&[bent[0], bent[2], bent[4]]));
-    }
-
-    #[test]
-    fn the_error_of_a_hollow_gives_its_depth_and_place() {
-        let section = Section::new(&[[0.0, 0.0], [0.2, 0.1], [0.4, 0.15]]).expect("a section");
-        let error = EntryModel::Mlm.covers(&section, 0.0).expect_err("a hollow").to_string();
-        assert!(error.contains("0.025 m deep at 0.2 m") && error.contains("\"boundary_element\""), "{error}");
-        assert!(section.convex().hollow().is_none() && section.convex().corners.len() == 2);
-        assert!(Section::new(&rounded(2e-3)).expect("a section").hollow().is_some());
-    }
-}
+mod tests;

@@ -2,8 +2,8 @@
 
 use run::compare::{self, ReferenceCurve};
 use run::observers::phaseless;
-use run::results::{CUTOFF, PASS_OVER_CLASS};
-use scene::vocabulary::{ColumnTitle, Quantity, ResultName, column_title};
+use run::results::PASS_OVER_CLASS;
+use scene::vocabulary::{CUTOFF, ColumnTitle, Quantity, ResultName, column_title};
 use scene::{Compare, Scene};
 use water_entry::EntryModel;
 

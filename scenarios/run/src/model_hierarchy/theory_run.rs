@@ -4,7 +4,7 @@ use std::time::Instant as Clock;
 
 use scene::reference::WedgeSimilarity;
 use scene::validity::panels::panel_results_within;
-use scene::vocabulary::{Doubt, Doubts, Quantity, ResultName, Results, Status, Verdict};
+use scene::vocabulary::{CUTOFF, Doubt, Doubts, Quantity, ResultName, Results, Status, Verdict};
 use scene::{Body, Gauge, Motion, QuantityOfInterest, Scene};
 use settings::significant;
 use water_entry::Instant;
@@ -14,7 +14,7 @@ use crate::compare::{self, ReferenceCurve};
 use crate::error_bar::{ErrorBar, ErrorBars};
 use crate::log::{BodyView, Frame, Logged};
 use crate::observers::{ObserveError, Series, SimilarityResult, body_values, create_log, mean_and_deviation};
-use crate::results::{CUTOFF, Extreme, RunningIntegral, STANDARD_GRAVITY};
+use crate::results::{Extreme, OF_FREE_FALL, RunningIntegral, STANDARD_GRAVITY};
 use crate::summary::{Log, Peak, Summary};
 use crate::{Outcome, RunError, RunOptions};
 
@@ -59,7 +59,11 @@ pub(crate) fn run(
     let end = theory.instants.last().map_or(0.0, |i| i.time);
     let detailed = detailed(scene, &theory)?;
     let results = results(body, detailed.as_ref().unwrap_or(&theory), &bars, scene.report.bandwidth);
-    let (results, doubts) = with_panels(results, scene, &theory);
+    let (mut results, mut doubts) = with_panels(results, scene, &theory);
+    if body.is_free() {
+        doubts.extend(results.still_growing([0.0, end]));
+        doubts.extend(still_falling(&mut results, body, &theory));
+    }
     let panels = theory.bending_flow().map(|flow| flow.panels.clone()).unwrap_or_default();
     let peak = |(name, value, time_s): (&str, f64, f64)| (name.to_string(), Peak { value, time_s, verdict: None });
     let summary = Summary {
@@ -198,6 +202,18 @@ fn results(body: &Body, theory: &Theory, bars: &ErrorBars, bandwidth: Option<f64
     ];
     let body = all.into_iter().filter_map(|(name, quantity)| Some((name, quantity?))).collect();
     Results { body, ..Results::default() }
+}
+
+/// A largest acceleration that is downward is that of the fall.
+fn still_falling(results: &mut Results, body: &Body, theory: &Theory) -> Option<Doubt> {
+    let peak = results.body.get_mut(&ResultName::PeakAcceleration)?;
+    let now = theory.instants.iter().position(|now| peak.time_s.is_some_and(|time| now.time >= time))?;
+    let motion = theory.motions(body)[now];
+    if motion.acceleration[1] >= 0.0 {
+        return None;
+    }
+    *peak = Quantity { band: None, verdict: Verdict::NotResolved, ..*peak };
+    Some(Doubt::about(ResultName::PeakAcceleration.name(), OF_FREE_FALL.to_string()))
 }
 
 /// The same with those of panels that bend in a flow that was followed, and doubts about them.

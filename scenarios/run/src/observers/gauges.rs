@@ -28,6 +28,13 @@ struct Place {
     weight: f64,
 }
 
+/// Where it is in the tank, with its unit normal out of the body or into the water and its acceleration [m/s²].
+struct PlaceNow {
+    at: [f64; 2],
+    normal: [f64; 2],
+    acceleration: [f64; 2],
+}
+
 /// A gauge: its face, its filter, its readings.
 struct Instrument {
     name: String,
@@ -130,22 +137,29 @@ impl GaugeReader {
         if self.instruments.iter().all(|instrument| instrument.now[0] == time) {
             return;
         }
-        let probe = Probe::new(&system.fluid);
         let body = system.bodies().find(|b| b.motion().is_some());
-        let motion = body.and_then(|b| b.motion()).unwrap_or_default();
-        let (rho, gravity) = (self.rho, self.gravity);
-        for instrument in &mut self.instruments {
-            let still = Motion::default();
-            let frame = if instrument.on == GaugeFrame::Body { &motion } else { &still };
-            let riding = body.filter(|_| instrument.on == GaugeFrame::Body);
-            let read = |place: &Place| {
-                let (at, normal, acceleration) = match riding.and_then(|b| b.material_point(place.at)) {
-                    Some((surface, acceleration)) => (surface.at, surface.normal, acceleration),
+        let (moving, still) = (body.and_then(|b| b.motion()).unwrap_or_default(), Motion::default());
+        let places: Vec<PlaceNow> = self
+            .instruments
+            .iter()
+            .flat_map(|Instrument { on, places, .. }| {
+                let (frame, riding) = match on {
+                    GaugeFrame::Body => (&moving, body),
+                    GaugeFrame::Fixed => (&still, None),
+                };
+                places.iter().map(move |place| match riding.and_then(|b| b.material_point(place.at)) {
+                    Some((surface, acceleration)) => PlaceNow { at: surface.at, normal: surface.normal, acceleration },
                     None => {
                         let normal = rotate(place.normal.unwrap_or_default(), frame.angle);
-                        (frame.point(place.at), normal, frame.acceleration)
+                        PlaceNow { at: frame.point(place.at), normal, acceleration: frame.acceleration }
                     }
-                };
+                })
+            })
+            .collect();
+        let probe = Probe::near(&system.fluid, &places.iter().map(|now| now.at).collect::<Vec<_>>());
+        let (rho, gravity, mut places) = (self.rho, self.gravity, places.into_iter());
+        for instrument in &mut self.instruments {
+            let read = |(place, PlaceNow { at, normal, acceleration }): (&Place, PlaceNow)| {
                 let pressure = match place.normal {
                     None => probe.shepard(at),
                     Some(_) => {
@@ -155,7 +169,7 @@ impl GaugeReader {
                 };
                 place.weight * pressure
             };
-            instrument.now = [time, instrument.places.iter().map(read).sum()];
+            instrument.now = [time, instrument.places.iter().zip(places.by_ref()).map(read).sum()];
         }
     }
 }

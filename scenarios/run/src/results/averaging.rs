@@ -1,11 +1,9 @@
 //! Times over which peaks are averaged (THEORY GE18).
 
-use scene::vocabulary::BandwidthBy;
+use scene::vocabulary::{BandwidthBy, CUTOFF};
 use scene::{Bottom, Entry, Scene};
 use settings::significant;
 
-/// The mean over a time τ halves the power at this over τ (GE18) [-].
-pub const CUTOFF: f64 = 0.443;
 /// Time that a spacing resolves, in times that the body takes to fall through it (GE18) [-].
 const WINDOW: f64 = 3.0;
 /// Averaging time over the time in which a wedge falls to the draught of its largest force [-].

@@ -6,14 +6,14 @@ use scene::validity::first_contact::{RoundContact, wet_start};
 use scene::validity::panels::{StressPeak, panel_results};
 use scene::validity::resolution::{Depth, LEAST_DRAUGHT, pressure_share};
 use scene::validity::tension::with_tension;
-use scene::vocabulary::{Doubt, Doubts, Finding, Named, Quantity, ResultName, Results, Verdict, WIDE, Why};
+use scene::vocabulary::{CUTOFF, Doubt, Doubts, Finding, Named, Quantity, ResultName, Results, Verdict, WIDE, Why};
 use scene::{Body, Bottom, Entry, Scene, Unusual, limit_of_forces, resonant_panels, share_of_walls};
 use serde::{Deserialize, Serialize};
 use settings::significant;
 
-use super::STANDARD_GRAVITY;
-use super::averaging::{Averaging, CUTOFF};
+use super::averaging::Averaging;
 use super::running_integral::{Extreme, RunningIntegral};
+use super::{OF_FREE_FALL, STANDARD_GRAVITY};
 
 /// Largest acceleration of a body that still falls over gravity [-].
 const FALLING: f64 = 1.03;
@@ -123,9 +123,7 @@ impl Judge {
                 return by_force(peak, raw);
             }
             let why = match known {
-                true => {
-                    "the largest acceleration is that of free fall before contact, and no result; the water decelerates the body by less than that"
-                }
+                true => OF_FREE_FALL,
                 false => {
                     "the largest acceleration is that of free fall before contact, and the force of the water is not resolved"
                 }

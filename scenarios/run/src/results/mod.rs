@@ -10,10 +10,13 @@ mod judge;
 mod observer;
 mod running_integral;
 
-pub use averaging::{CUTOFF, time_of_impact};
+pub use averaging::time_of_impact;
 pub use filtered::{FilteredAcceleration, PASS_OVER_CLASS};
 pub use observer::ResultsObserver;
 pub(crate) use running_integral::{Extreme, RunningIntegral};
+
+/// Why the acceleration of a body in the air is no result.
+pub(crate) const OF_FREE_FALL: &str = "the largest acceleration is that of free fall before contact, and no result; the water decelerates the body by less than that";
 
 /// Standard gravity [m/s²].
 pub(crate) const STANDARD_GRAVITY: f64 = 9.80665;

@@ -82,6 +82,10 @@ impl ResultsObserver {
         let panels: Vec<StressPeak> = panels.map(|panel| StressPeak::from(&panel)).chain(modes).collect();
         let judge = Judge::new(scene);
         let (mut results, mut doubts) = judge.results(&self.curves, &panels);
+        let enters = scene.entry().is_some_and(|entry| entry.final_draught > 0.0);
+        if enters && scene.body.as_ref().is_some_and(scene::Body::is_free) {
+            doubts.extend(results.still_growing([scene.time.start, system.fluid.time()]));
+        }
         // a mean reaches forward by its time
         doubts.extend(touch(system).and_then(|(time, why)| results.unresolve(time - judge.of_force.time, &why)));
         (results, doubts)

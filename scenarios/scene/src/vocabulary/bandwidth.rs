@@ -2,6 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
+/// The mean over a time τ halves the power at this over τ (THEORY GE18) [-].
+pub const CUTOFF: f64 = 0.443;
+
 /// What the bandwidth of a result follows from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(rename_all = "snake_case")]

@@ -18,7 +18,7 @@ mod status;
 mod verdict;
 mod withdrawn;
 
-pub use bandwidth::BandwidthBy;
+pub use bandwidth::{BandwidthBy, CUTOFF};
 pub use columns::{ColumnTitle, column_title};
 pub use doubt::{Doubt, Doubts, Shallow, Why};
 pub use names::{ResultId, ResultName};

@@ -1,11 +1,33 @@
 //! What withdraws results or their bands, whatever their own verdicts say.
 
+use super::bandwidth::CUTOFF;
 use super::doubt::{Doubt, Doubts};
 use super::quantity::Quantity;
 use super::results::Results;
 use super::verdict::Verdict;
 
+/// Share of the run after which a largest value may go on growing [-].
+const AT_END: f64 = 0.995;
+
 impl Results {
+    /// What is largest at the end of a free body's run from `start` to `end` [s] is not resolved.
+    pub fn still_growing(&mut self, [start, end]: [f64; 2]) -> Option<Doubt> {
+        let last = start + AT_END * (end - start);
+        let reaches_end = |quantity: &Quantity| {
+            let window = quantity.cutoff_hz.map_or(0.0, |cutoff| CUTOFF / cutoff);
+            quantity.time_s.is_some_and(|time| time + 0.5 * window >= last)
+        };
+        let mut about = Vec::new();
+        for (name, quantity) in self.body.iter_mut().filter(|(_, quantity)| reaches_end(quantity)) {
+            if quantity.verdict.is_sound() {
+                *quantity = Quantity { band: None, ..quantity.doubted() };
+            }
+            about.push(name.name().to_string());
+        }
+        let why = "the largest value comes at the end of the run and may go on growing: a later time.end would show it";
+        (!about.is_empty()).then(|| Doubt { about, why: why.into() })
+    }
+
     /// The same; where work of the water is lost between fluid and body, results of panels are not resolved.
     pub fn with_work_lost(mut self, lost: bool) -> Results {
         let of_panels = self.panels.values_mut().flat_map(|panel| panel.values_mut());
