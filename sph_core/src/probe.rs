@@ -37,16 +37,22 @@ pub struct Probe<'a> {
     face: Option<[f64; 2]>,
 }
 
+/// Particles, and their mirror images next to a plane of symmetry, that count.
+fn points(fluid: &Fluid, counts: impl Fn(&Point) -> bool) -> Vec<Point> {
+    let p = fluid.particles();
+    let all = || (0..p.len()).map(|k| Point::at_rest([p.x[k], p.y[k]], 2.0 * p.h[k], k as u32));
+    let mut points: Vec<Point> = all().filter(&counts).collect();
+    if let Some(mirror) = fluid.domain().mirror {
+        let near = all().filter(|q| q.x - mirror.at < 2.0 * q.reach);
+        points.extend(near.map(|q| Point { x: mirror.reflect(q.x), ..q }).filter(&counts));
+    }
+    points
+}
+
 impl<'a> Probe<'a> {
     /// Sort the fluid, and its images, for reading.
     pub fn new(fluid: &'a Fluid) -> Probe<'a> {
-        let p = fluid.particles();
-        let mut points: Vec<Point> =
-            (0..p.len()).map(|k| Point::at_rest([p.x[k], p.y[k]], 2.0 * p.h[k], k as u32)).collect();
-        if let Some(mirror) = fluid.domain().mirror {
-            let near: Vec<Point> = points.iter().filter(|q| q.x - mirror.at < 2.0 * q.reach).copied().collect();
-            points.extend(near.iter().map(|q| Point { x: mirror.reflect(q.x), ..*q }));
-        }
+        let (p, mut points) = (fluid.particles(), points(fluid, |_| true));
         if let Some(periodic) = fluid.domain().periodic {
             let own = Cells::build(&points);
             for [sx, sy] in periodic.shifts() {
@@ -58,7 +64,7 @@ impl<'a> Probe<'a> {
         Probe::of(fluid, &points)
     }
 
-    /// The same for reading at or next to `places` [m] alone: what is farther from them than its kernel reaches is not sorted.
+    /// The same for reading at `places` [m] alone: what is farther from them than its kernel reaches is not sorted.
     pub fn near(fluid: &'a Fluid, places: &[[f64; 2]]) -> Probe<'a> {
         if fluid.domain().periodic.is_some() {
             return Probe::new(fluid);
@@ -72,14 +78,7 @@ impl<'a> Probe<'a> {
             let beside = |[x, y]: &[f64; 2]| between(q.x, [*x; 2], q.reach) && between(q.y, [*y; 2], q.reach);
             between(q.x, x, q.reach) && between(q.y, y, q.reach) && places.iter().any(beside)
         };
-        let (p, mirror) = (fluid.particles(), fluid.domain().mirror);
-        let own = |k: usize| Point::at_rest([p.x[k], p.y[k]], 2.0 * p.h[k], k as u32);
-        let mut points: Vec<Point> = (0..p.len()).map(own).filter(reaches).collect();
-        if let Some(mirror) = mirror {
-            let images = (0..p.len()).map(own).filter(|q| q.x - mirror.at < 2.0 * q.reach);
-            points.extend(images.map(|q| Point { x: mirror.reflect(q.x), ..q }).filter(reaches));
-        }
-        Probe::of(fluid, &points)
+        Probe::of(fluid, &points(fluid, reaches))
     }
 
     /// Of those of the fluid, and of its images, that count.

@@ -180,4 +180,11 @@ fn wrong_questions_are_refused() {
         assert_eq!(ended.code, Some(2), "{arguments:?}: {}", ended.message);
         ended.says(said);
     }
+    let ended = place.run(&["fit", "wedge", "--to", "bad.csv", "--for", "body.mass", "--json"]);
+    let error: Value = serde_json::from_str(&ended.stdout).expect("JSON");
+    assert_eq!(
+        [&error["error"]["file"], &error["error"]["line"]],
+        [&Value::from("bad.csv"), &Value::from(2)],
+        "{error}"
+    );
 }

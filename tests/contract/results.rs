@@ -37,6 +37,26 @@ fn every_result_has_value_time_band_cutoff_raw_and_verdict() {
     assert!(place.text("out/report.html").contains("Completed with doubts"));
 }
 
+/// A run that ends before the peak of a free body has no peak; a body too heavy for the water to slow has no acceleration but that of its fall.
+#[test]
+fn a_run_that_ends_too_early_and_a_body_that_only_falls_have_no_peaks() {
+    let place = Workplace::new();
+    let run = |sets: &[&str]| {
+        let ended =
+            place.run(&[&["run", "wedge", "--quiet", "--force", "--out", "out", "--set", "model=mlm"], sets].concat());
+        assert_eq!(ended.code, Some(0), "{}", ended.message);
+        let Value::Object(summary) = place.summary("out") else { panic!("no summary") };
+        let verdict = |name: &str| summary["results"][name]["verdict"].as_str().expect("a word").to_string();
+        ([verdict("peak_force_N_per_m"), verdict("peak_acceleration_g")], summary["doubts"].to_string())
+    };
+    let (verdicts, doubts) = run(&["--set", "time.end=0.008"]);
+    assert_eq!(verdicts, ["not_resolved", "not_resolved"]);
+    assert!(doubts.contains("a later time.end would show it"), "{doubts}");
+    let (verdicts, doubts) = run(&["--set", "time.end=0.02", "--set", "body.mass=1e5"]);
+    assert_eq!(verdicts, ["resolved", "not_resolved"]);
+    assert!(doubts.contains("free fall"), "{doubts}");
+}
+
 /// Panels in a flow by boundary elements: a stress that is largest at the end of the run, and loads after suction, are not quoted.
 #[test]
 fn doubts_about_panels_in_a_flow_that_was_followed() {

@@ -159,23 +159,19 @@ fn resolve_joints(draft: &mut Draft) -> Result<Vec<Joint>, Problem> {
 /// A body that moves up does not meet the water: without a tank of its own such a scene has a wrong sign.
 fn refuse_rising(draft: &Draft, body: &Body) -> Result<(), Problem> {
     let has_tank = draft.is_given("tank.depth") && draft.is_given("tank.width");
-    if has_tank || body.velocity[1] <= 0.0 {
-        return Ok(());
-    }
-    let expected = "y below 0, down into the water, or a [tank] with width and depth: this body moves up";
-    Err(Problem::new("body.velocity", format!("{:?}", body.velocity), expected))
+    if has_tank || body.velocity[1] <= 0.0 { Ok(()) } else { Err(no_fall(body.velocity, "moves up")) }
+}
+
+/// A velocity with which a body does not fall into the water, and what it does instead.
+fn no_fall(velocity: [f64; 2], what: &str) -> Problem {
+    let expected = format!("y below 0, down into the water, or a [tank] with width and depth: this body {what}");
+    Problem::new("body.velocity", format!("{velocity:?}"), expected)
 }
 
 fn resolve_tank(draft: &mut Draft) -> Result<Tank, Problem> {
-    let expected =
-        "a length [m]: \"auto\" needs a body that falls or moves down into the water and that no joint holds";
-    let missing = |key: &str| match draft.get::<[f64; 2]>("body.velocity") {
-        Some(velocity) if velocity[1] == 0.0 && draft.is_given("body.velocity") => {
-            let expected = "y below 0, down into the water, or a [tank] with width and depth: this body does not fall";
-            Problem::new("body.velocity", format!("{velocity:?}"), expected)
-        }
-        _ => Problem::missing(key, expected),
-    };
+    let expected = "a length [m]: \"auto\" needs a body that falls or moves down and that no joint holds";
+    let at_rest = draft.get::<[f64; 2]>("body.velocity").filter(|v| v[1] == 0.0 && draft.is_given("body.velocity"));
+    let missing = |key: &str| at_rest.map_or(Problem::missing(key, expected), |v| no_fall(v, "does not fall"));
     let length = |key: &str| draft.get::<f64>(key).ok_or_else(|| missing(key));
     let (depth, width) = (length("tank.depth")?, length("tank.width")?);
     let water_width = draft.fill("tank.water_width", width);
