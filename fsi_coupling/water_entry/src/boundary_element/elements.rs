@@ -30,13 +30,13 @@ pub(super) struct Sizes {
 impl Sizes {
     /// About a straight wedge.
     pub const WEDGE: Sizes =
-        Sizes { jet: 1.0, growth: 0.16, quadratic: true, far: 0.1, keel: [1e-2, 1e-3, 1e-4], courant: [1.4, 1.1] };
+        Sizes { jet: 1.0, growth: 0.16, quadratic: true, far: 0.1, keel: [1e-2, 1e-3, 1e-4], courant: [1.8, 1.5] };
     /// About a bottom on which the flow meets knuckles or leaves it between keel and chine.
     pub const BENT: Sizes =
         Sizes { jet: 1.0, growth: 0.1, quadratic: false, far: 0.0, keel: [1e-3, 1e-3, 1e-4], courant: [1.1, 1.1] };
     /// About two deadrises.
     pub const ROLLED: Sizes =
-        Sizes { jet: 1.0, growth: 0.16, quadratic: true, far: 0.0, keel: [1e-2, 1e-2, 1e-3], courant: [1.4, 1.1] };
+        Sizes { jet: 1.0, growth: 0.16, quadratic: true, far: 0.0, keel: [1e-2, 1e-2, 1e-3], courant: [1.8, 1.5] };
 
     /// Element at a keel of an `angle` [rad] over the wetted length.
     pub fn at_keel(&self, angle: f64) -> f64 {

@@ -18,6 +18,8 @@ const SERIES: [f64; 7] = [1.0 / 3.0, 1.0 / 5.0, 1.0 / 7.0, 1.0 / 9.0, 1.0 / 11.0
 const VERY_FAR: f64 = 1e30;
 /// Largest |u|² of the series, whose error is 10⁻¹¹ at most; u is half the element over the distance of its middle.
 const FAR: f64 = 0.04;
+/// Largest |u|² at which four terms do, with an error of 10⁻¹⁰.
+const VERY_SMALL: f64 = 6e-3;
 
 impl Add for Lanes {
     type Output = Lanes;
@@ -53,6 +55,12 @@ impl Lanes {
     fn inverse(self) -> Lanes {
         Lanes(from_fn(|k| 1.0 / self.0[k]))
     }
+
+    /// The largest of them; NaN counts as the largest.
+    #[inline(always)]
+    fn largest(self) -> f64 {
+        self.0.iter().fold(0.0, |most: f64, number| if *number < most { most } else { *number })
+    }
 }
 
 /// Product of complex numbers.
@@ -67,6 +75,8 @@ struct Block {
     middle: [Lanes; 2],
     half: [Lanes; 2],
     square: [Lanes; 2],
+    /// The square of its length.
+    size: Lanes,
 }
 
 /// Straight elements between the nodes of a line.
@@ -270,6 +280,7 @@ impl Elements {
             for (to, of) in [(&mut block.middle, middle), (&mut block.half, half), (&mut block.square, square)] {
                 (to[0].0[k], to[1].0[k]) = (of.re, of.im);
             }
+            block.size.0[k] = half.norm_sqr();
         }
         Elements { ends, blocks }
     }
@@ -278,8 +289,7 @@ impl Elements {
     #[inline(always)]
     fn factors(&self, block: &Block, start: usize, at: c64) -> Factors {
         let mut factors = by_series(block, at);
-        let largest = factors.near.0.iter().fold(0.0, |most: f64, size| if *size < most { most } else { *size });
-        let all_are_far = largest < FAR;
+        let all_are_far = factors.near.largest() < FAR;
         if !all_are_far {
             replace_near(&mut factors, &self.ends[start..self.ends.len().min(start + LANES)], at);
         }
@@ -333,17 +343,20 @@ fn by_series(block: &Block, at: c64) -> Factors {
     let inverse = (x * x + y * y).inverse();
     let [hx, hy] = block.half;
     let u = [(hx * x + hy * y) * inverse, (hy * x - hx * y) * inverse];
-    let [xx, yy, xy] = [u[0] * u[0], u[1] * u[1], u[0] * u[1]];
-    let (w, near) = ([xx - yy, xy + xy], xx + yy);
+    let near = block.size * inverse;
+    let w = [(u[0] + u[1]) * (u[0] - u[1]), (u[0] + u[0]) * u[1]];
     // Σ c_k w^k = (c₀ + c₁ w) + w² (c₂ + c₃ w) + w⁴ (c₄ + c₅ w + c₆ w²)
     let squared = [(w[0] + w[1]) * (w[0] - w[1]), (w[0] + w[0]) * w[1]];
-    let fourth = [(squared[0] + squared[1]) * (squared[0] - squared[1]), (squared[0] + squared[0]) * squared[1]];
     let factor = |k: usize| Lanes::all(SERIES[k]);
     let linear = |k: usize| [factor(k) + factor(k + 1) * w[0], factor(k + 1) * w[1]];
-    let (low, middle, high) = (linear(0), linear(2), linear(4));
-    let high = times(fourth, [high[0] + factor(6) * squared[0], high[1] + factor(6) * squared[1]]);
+    let (low, mut middle) = (linear(0), linear(2));
+    if near.largest() > VERY_SMALL {
+        let high = linear(4);
+        let high = times(squared, [high[0] + factor(6) * squared[0], high[1] + factor(6) * squared[1]]);
+        middle = [middle[0] + high[0], middle[1] + high[1]];
+    }
     let middle = times(squared, middle);
-    let sum = [low[0] + (middle[0] + high[0]), low[1] + (middle[1] + high[1])];
+    let sum = [low[0] + middle[0], low[1] + middle[1]];
     let e = times(w, sum);
     let one_more = [e[0] + Lanes::all(1.0), e[1]];
     let a = times(u, one_more);

@@ -51,6 +51,8 @@ use super::similarity::SimilarityFlow;
 const DRAUGHT_GROWTH: f64 = 0.03;
 /// Distance to which the free surface reaches, over half the wetted breadth, at the start.
 const FAR: f64 = 240.0;
+/// Steps in which the load of a wedge's first flow comes from 0.7 to 0.1 % of the exact one.
+const SETTLED: usize = 10;
 /// Length beyond the chine at which the jet's end leaves it, over the finest element.
 const PASSED: f64 = 2.0;
 
@@ -105,19 +107,22 @@ impl EntryFlow {
             let range = "sections with dry chines at the start";
             return refused(format!("one of {} m of breadth at a draught of {draught} m", 2.0 * half_breadth), range);
         }
-        if !section.is_blunt() {
-            // a wedge's flow begins at any draught
-            flow = if section.is_followed_as_wedge() { flow.scaled_to(draught) } else { flow };
-        } else if draught < flow.draught {
+        let ended = |_: FlowEnded| OutOfRange {
+            what: format!("one whose flow ends before a draught of {draught} m"),
+            range: "bottoms that boundary elements follow to the draught of the start".into(),
+            next: EntryModel::Wcsph,
+        };
+        if section.is_followed_as_wedge() {
+            // it begins at any draught
+            for _ in 0..SETTLED {
+                flow.step(|_| 0.0).map_err(ended)?;
+            }
+            flow = flow.scaled_to(draught);
+        } else if section.is_blunt() && draught < flow.draught {
             let range = format!("round bottoms from a draught of {} m on", flow.draught);
             return refused(format!("one at a draught of {draught} m"), &range);
         }
         while flow.draught < draught {
-            let ended = |_: FlowEnded| OutOfRange {
-                what: format!("one whose flow ends before a draught of {draught} m"),
-                range: "bottoms that boundary elements follow to the draught of the start".into(),
-                next: EntryModel::Wcsph,
-            };
             flow.step(|_| 0.0).map_err(ended)?;
         }
         flow.clear_past();

@@ -1,4 +1,5 @@
-//! A step in time: Adams and Bashforth's rule of third order, one solution per step; the midpoint rule where there is no past (THEORY EN22).
+//! A step in time: nodes by Adams and Bashforth's rule of third order, their potential along their way, one solution per step; the midpoint rule
+//! where there is no past (THEORY EN22).
 
 use std::array::{from_fn, from_mut};
 
@@ -19,6 +20,18 @@ const LEAST_AT_CHINE: f64 = 0.3;
 const LEAST_GROWTH: f64 = 3e-5;
 /// Instants of which a step makes use.
 const INSTANTS: usize = 3;
+
+/// The coming step.
+struct Ahead {
+    /// Its length, and how long ago the last one began [s].
+    dt: f64,
+    ago: f64,
+    /// Factors of the velocities now and earlier [s].
+    weights: [f64; INSTANTS],
+    /// Speed of the axes outwards [m/s].
+    drift: f64,
+    gravity: f64,
+}
 
 /// ∫ over the coming `dt` of the parabola through values now and `ago[0]` and `ago[1]` before now: the factors of the three (Adams and Bashforth,
 /// uneven steps).
@@ -80,28 +93,30 @@ impl EntryFlow {
         step(from_mut(self), |[flow]| flow.solve(), separate, acceleration)
     }
 
-    /// Is enough known of the past for a step without a solution in its middle? Next to a wet chine it is not: such steps would have to be half as
-    /// long.
+    /// Is enough known of the past for a step without a solution in its middle?
     pub(super) fn has_past(&self) -> bool {
-        self.past.len() + 1 == INSTANTS && self.underside.is_none()
+        self.past.len() + 1 == INSTANTS
     }
 
     /// Moved over `dt` by Adams and Bashforth's rule; `now` is the flow and `rate` the downward acceleration at this instant.
     pub(super) fn extrapolated(&self, now: &Solution, rate: f64, dt: f64) -> EntryFlow {
         let ago = [self.past[0].ago, self.past[1].ago];
         let weights = weights(dt, ago);
+        let ahead = Ahead { dt, weights, ago: ago[0], drift: self.drift, gravity: self.gravity };
         let motion = self.motion(rate, 0.0);
         let sum = |of: &dyn Fn(&Past) -> f64| {
             weights[0] * of(&motion)
                 + self.past.iter().zip(&weights[1..]).map(|(past, weight)| weight * of(past)).sum::<f64>()
         };
         let face = self.face.at_draught(self.face.draught + sum(&|past| past.speeds[1]));
-        let mut underside = self.underside.as_ref().map(|surface| surface.extrapolated(&now.below, &weights));
-        if let Some(at_chine) = underside.as_mut().and_then(|surface| surface.z.last_mut()) {
-            *at_chine = face.edge();
-        }
+        let underside = self.underside.as_ref().map(|before| {
+            let mut surface = before.extrapolated(&now.below, &ahead);
+            let last = before.z.len() - 1; // moves with the body
+            (surface.z[last], surface.phi[last]) = (face.edge(), before.phi[last] + now.below.rate[last] * dt);
+            surface
+        });
         EntryFlow {
-            surface: self.surface.extrapolated(&now.above, &weights),
+            surface: self.surface.extrapolated(&now.above, &ahead),
             face,
             underside,
             draught: self.draught + sum(&|past| past.speeds[0]),
@@ -119,9 +134,9 @@ impl EntryFlow {
     pub(super) fn after(mut self, before: &EntryFlow, flow: &Solution, rate: f64, dt: f64) -> EntryFlow {
         let older = before.past.iter().map(|past| Past { ago: past.ago + dt, ..*past });
         self.past = std::iter::once(before.motion(rate, dt)).chain(older).take(INSTANTS - 1).collect();
-        self.surface.store_past(&before.surface, &flow.above);
+        self.surface.store_past(&before.surface, &flow.above.velocity);
         if let (Some(surface), Some(before)) = (&mut self.underside, &before.underside) {
-            surface.store_past(before, &flow.below);
+            surface.store_past(before, &flow.below.velocity);
         }
         self
     }
@@ -193,8 +208,8 @@ impl EntryFlow {
     }
 
     /// Longest step next to a wet chine [s]: the potential of its node decays to the one with which the water leaves the chine along the face
-    /// (EN24), at a rate of 2.2 times the velocity over the length of the face's last element; the midpoint rule amplifies what falls by more
-    /// than 2 per step.
+    /// (EN24), at a rate of 2.2 times the velocity over the length of the face's last element; both rules amplify what falls by more than 2 per
+    /// step.
     fn chine_dt(&self, now: &Solution) -> f64 {
         let body = c64::new(0.0, -self.keel_speed());
         match now.below.velocity.last() {
@@ -205,15 +220,25 @@ impl EntryFlow {
 }
 
 impl FreeSurface {
-    /// Moved with `weights` times the flow now and those of its past.
-    pub(super) fn extrapolated(&self, now: &SurfaceFlow, weights: &[f64; INSTANTS]) -> FreeSurface {
-        let first = self.moved(&now.velocity, &now.rate, weights[0]);
-        self.past.iter().zip(&weights[1..]).fold(first, |moved, (past, weight)| past.moves(&moved, *weight))
+    /// EN22: nodes moved by Adams and Bashforth's rule, and the potential that they have then.
+    fn extrapolated(&self, now: &SurfaceFlow, ahead: &Ahead) -> FreeSurface {
+        let Ahead { dt, weights, ago, drift, gravity } = *ahead;
+        let [before, earlier] = [&self.past[0], &self.past[1]];
+        let moved = |k: usize| {
+            let v = now.velocity[k];
+            let way = v * weights[0] + before[k] * weights[1] + earlier[k] * weights[2];
+            let a = (v - before[k]) / ago;
+            let of_way = ((v + drift) * (way - v * dt).conj()).re + dt.powi(3) / 6.0 * a.norm_sqr();
+            let of_height = gravity * dt * (way.im / 2.0 - dt * dt / 12.0 * a.im);
+            (self.z[k] + way, self.phi[k] + now.rate[k] * dt + of_way - of_height)
+        };
+        let (z, phi) = (0..self.z.len()).map(moved).unzip();
+        FreeSurface { z, phi, past: Vec::new() }
     }
 
-    /// Keep the `flow` at the nodes of this surface when they were those of `before`, and what that kept.
-    fn store_past(&mut self, before: &FreeSurface, flow: &SurfaceFlow) {
-        self.past = std::iter::once(flow).chain(&before.past).take(INSTANTS - 1).cloned().collect();
+    /// Keep the `velocity` at the nodes of this surface when they were those of `before`, and what that kept.
+    fn store_past(&mut self, before: &FreeSurface, velocity: &Vec<c64>) {
+        self.past = std::iter::once(velocity).chain(&before.past).take(INSTANTS - 1).cloned().collect();
     }
 }
 
@@ -229,5 +254,23 @@ mod tests {
         let weights = weights(dt, ago);
         let sum = weights[0] * value(0.0) + weights[1] * value(-ago[0]) + weights[2] * value(-ago[1]);
         assert!((sum - (dt - 1.5 * dt * dt + 2.0 / 3.0 * dt.powi(3))).abs() < 1e-14, "{sum}");
+    }
+
+    /// The potential of a node at an even acceleration, under gravity and in axes that move, is ∫ (½ v² − g y) dt.
+    #[test]
+    fn the_potential_follows_the_way_of_its_node() {
+        let (dt, ago, drift, gravity) = (0.3, [0.2, 0.5], 0.7, 9.81);
+        let (first, acceleration, z) = (c64::new(1.2, -0.4), c64::new(-2.0, 3.0), c64::new(0.1, 0.6));
+        let velocity = |t: f64| first + acceleration * t; // of the water at rest far away
+        let in_axes = |t: f64| vec![velocity(t) - drift];
+        let surface = FreeSurface { z: vec![z], phi: vec![5.0], past: ago.map(|ago| in_axes(-ago)).into() };
+        let now = SurfaceFlow { velocity: in_axes(0.0), rate: vec![0.5 * first.norm_sqr() - gravity * z.im] };
+        let ahead = Ahead { dt, weights: weights(dt, ago), ago: ago[0], drift, gravity };
+        let moved = surface.extrapolated(&now, &ahead);
+        let rate = |t: f64| 0.5 * velocity(t).norm_sqr() - gravity * (z + first * t + 0.5 * acceleration * t * t).im;
+        let way = dt / 6.0 * (rate(0.0) + 4.0 * rate(0.5 * dt) + rate(dt)); // Simpson: exact of a parabola
+        assert!((moved.phi[0] - (5.0 + way)).abs() < 1e-14, "{} for {}", moved.phi[0], 5.0 + way);
+        let end = z + (first - drift) * dt + 0.5 * acceleration * dt * dt;
+        assert!((moved.z[0] - end).norm() < 1e-14, "{} for {end}", moved.z[0]);
     }
 }

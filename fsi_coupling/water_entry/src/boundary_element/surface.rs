@@ -44,8 +44,8 @@ pub(super) struct FreeSurface {
     pub z: Vec<c64>,
     /// Potential φ there [m²/s].
     pub phi: Vec<f64>,
-    /// Flow at earlier instants where the water was that is now at the nodes, the last first.
-    pub past: Vec<SurfaceFlow>,
+    /// Velocities u + iv at earlier instants where the water was that is now at the nodes, the last first [m/s].
+    pub past: Vec<Vec<c64>>,
 }
 
 impl FreeSurface {
@@ -148,14 +148,10 @@ impl FreeSurface {
             let (x, y) = (along(&mut z.iter().map(|z| z.re)), along(&mut z.iter().map(|z| z.im)));
             x.into_iter().zip(y).map(|(x, y)| c64::new(x, y)).collect()
         };
-        let of_past = |flow: &SurfaceFlow| SurfaceFlow {
-            velocity: places(&flow.velocity),
-            rate: along(&mut flow.rate.iter().copied()),
-        };
         FreeSurface {
             z: places(&self.z),
             phi: along(&mut self.phi.iter().copied()),
-            past: self.past.iter().map(of_past).collect(),
+            past: self.past.iter().map(|velocity| places(velocity)).collect(),
         }
     }
 
