@@ -150,7 +150,7 @@ fn soft_and_light_panels_keep_the_balance_of_energy() {
         let gained = end.kinetic + end.elastic + end.dissipated - start.kinetic - start.elastic;
         assert!(end.work < 0.0 && (gained / end.work - 1.0).abs() < 0.01, "{name}: {gained} J/m of {}", end.work);
         let per_step = entry.iterations() / steps;
-        assert!(per_step <= 8 && entry.chines_wet() && deepest > 5e-4, "{name}: {per_step} per step, {deepest} m");
+        assert!(per_step <= 9 && entry.chines_wet() && deepest > 5e-4, "{name}: {per_step} per step, {deepest} m");
     }
 }
 

@@ -169,8 +169,7 @@ fn no_fall(velocity: [f64; 2], what: &str) -> Problem {
 }
 
 fn resolve_tank(draft: &mut Draft) -> Result<Tank, Problem> {
-    let expected =
-        "a length [m]: \"auto\" needs a body that falls or moves down into the water and that no joint holds";
+    let expected = "a length [m]: \"auto\" needs a body that falls or moves down into the water without a joint";
     let at_rest = draft.get::<[f64; 2]>("body.velocity").filter(|v| v[1] == 0.0 && draft.is_given("body.velocity"));
     let missing = |key: &str| at_rest.map_or(Problem::missing(key, expected), |v| no_fall(v, "does not fall"));
     let length = |key: &str| draft.get::<f64>(key).ok_or_else(|| missing(key));

@@ -93,9 +93,10 @@ impl EntryFlow {
         step(from_mut(self), |[flow]| flow.solve(), separate, acceleration)
     }
 
-    /// Is enough known of the past for a step without a solution in its middle?
+    /// Is enough known of the past for a step without a solution in its middle? Where the flow leaves a smooth bottom such steps scatter the load.
     pub(super) fn has_past(&self) -> bool {
-        self.past.len() + 1 == INSTANTS
+        let leaves_at_end = self.face.length() >= self.face.whole_length();
+        self.past.len() + 1 == INSTANTS && (self.underside.is_none() || leaves_at_end)
     }
 
     /// Moved over `dt` by Adams and Bashforth's rule; `now` is the flow and `rate` the downward acceleration at this instant.

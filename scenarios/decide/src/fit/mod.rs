@@ -4,6 +4,7 @@
 
 pub mod data;
 pub mod least_squares;
+mod profile;
 
 use std::collections::BTreeMap;
 
@@ -100,38 +101,28 @@ pub fn fit(evaluator: &Evaluator, keys: &[String], curves: &[Curve]) -> Result<F
     let modelled = |q: &[f64]| modelled(evaluator, &unknowns, curves, q);
     let mut weights: Vec<f64> = curves.iter().map(|curve| 1.0 / (0.03 * curve.range())).collect();
     let mut fit = Fit { at: vec![0.0; unknowns.len()], residuals: Vec::new(), jacobian: Vec::new() };
+    let weighed = |q: &[f64], weights: &[f64]| -> Option<Vec<f64>> {
+        let found = modelled(q).ok()?;
+        let pairs = curves.iter().zip(&found).zip(weights);
+        Some(pairs.flat_map(|((c, found), w)| c.points.iter().zip(found).map(move |(p, f)| w * (f - p[1]))).collect())
+    };
+    let mut used = weights.clone();
     for step in STEPS {
-        let weighed = |q: &[f64]| -> Option<Vec<f64>> {
-            let found = modelled(q).ok()?;
-            let pairs = curves.iter().zip(&found).zip(&weights);
-            Some(
-                pairs
-                    .flat_map(|((c, found), w)| c.points.iter().zip(found).map(move |(p, f)| w * (f - p[1])))
-                    .collect(),
-            )
-        };
-        let slopes = |q: &[f64]| -> Option<Vec<Vec<f64>>> {
-            let columns: Vec<Option<Vec<f64>>> = (0..q.len() * 2)
-                .into_par_iter()
-                .map(|j| {
-                    let mut moved = q.to_vec();
-                    moved[j / 2] += if j % 2 == 0 { step } else { -step };
-                    weighed(&moved)
-                })
-                .collect();
-            let columns = columns.into_iter().collect::<Option<Vec<_>>>()?;
-            let slope = |pair: &[Vec<f64>]| pair[0].iter().zip(&pair[1]).map(|(a, b)| (a - b) / (2.0 * step)).collect();
-            Some(columns.chunks(2).map(slope).collect())
-        };
         // the first run says what is wrong
         modelled(&fit.at)?;
-        fit = minimise(&fit.at, weighed, slopes)
+        let residuals = |q: &[f64]| weighed(q, &weights);
+        fit = minimise(&fit.at, residuals, |q| slopes(q, step, residuals))
             .ok_or_else(|| EvaluateError::Key("runs fail next to the values of the start".into()))?;
-        weights = scatter(curves, &fit, &weights, unknowns.len());
+        used = scatter(curves, &fit, &weights, unknowns.len());
+        std::mem::swap(&mut used, &mut weights);
     }
     let found = modelled(&fit.at)?;
     let correlation = neighbours(curves, &found);
-    let estimates = estimates(&unknowns, &fit, points, correlation);
+    let residuals = |q: &[f64]| weighed(q, &used);
+    let reach = |k: usize, of_line: [f64; 2]| {
+        profile::half_width(&fit, k, of_line, residuals, |q| slopes(q, STEPS[STEPS.len() - 1], residuals))
+    };
+    let estimates = estimates(&unknowns, &fit, points, correlation, reach);
     let model = evaluator.load(&[])?.scene.model.name().to_string();
     Ok(Fitted {
         notes: notes(&unknowns, &fit, &estimates, correlation, given - points),
@@ -141,6 +132,18 @@ pub fn fit(evaluator: &Evaluator, keys: &[String], curves: &[Curve]) -> Result<F
         runs: evaluator.count(),
         estimates,
     })
+}
+
+/// Derivatives of residuals by each value, by differences over `step` to both sides.
+fn slopes(q: &[f64], step: f64, residuals: impl Fn(&[f64]) -> Option<Vec<f64>> + Sync) -> Option<Vec<Vec<f64>>> {
+    let moved = |j: usize| {
+        let mut moved = q.to_vec();
+        moved[j / 2] += if j % 2 == 0 { step } else { -step };
+        residuals(&moved)
+    };
+    let columns = (0..q.len() * 2).into_par_iter().map(moved).collect::<Option<Vec<_>>>()?;
+    let slope = |pair: &[Vec<f64>]| pair[0].iter().zip(&pair[1]).map(|(a, b)| (a - b) / (2.0 * step)).collect();
+    Some(columns.chunks(2).map(slope).collect())
 }
 
 /// The points in the time of the scene's run; with a shift, half of that to either side.
@@ -231,8 +234,15 @@ fn neighbours(curves: &[Curve], found: &[Vec<f64>]) -> f64 {
     if sums[1] > 0.0 { sums[0] / sums[1] } else { 0.0 }
 }
 
-/// Intervals of Student's distribution; residuals that are alike count as fewer.
-fn estimates(unknowns: &[Unknown], fit: &Fit, points: usize, correlation: f64) -> Vec<Estimate> {
+/// Intervals of Student's distribution; residuals that are alike count as fewer. `reach` gives the half of an interval where that of a linear fit
+/// ends, with its growth of the sum of squares.
+fn estimates(
+    unknowns: &[Unknown],
+    fit: &Fit,
+    points: usize,
+    correlation: f64,
+    reach: impl Fn(usize, [f64; 2]) -> f64,
+) -> Vec<Estimate> {
     let spread = fit.covariance();
     let alike = correlation.clamp(0.0, 0.99);
     let wider = ((1.0 + alike) / (1.0 - alike)).sqrt();
@@ -240,11 +250,12 @@ fn estimates(unknowns: &[Unknown], fit: &Fit, points: usize, correlation: f64) -
     let quantile = StudentsT::new(0.0, 1.0, free).map_or(1.96, |t| t.inverse_cdf(0.975));
     let scale = (fit.square() / (points - unknowns.len()) as f64).sqrt();
     let of = |(k, unknown): (usize, &Unknown)| {
-        let sigma = spread[k][k].sqrt();
+        let deviation = quantile * wider * scale;
+        let half = reach(k, [deviation * spread[k][k].sqrt(), deviation * deviation]);
         Estimate {
             key: unknown.key.clone(),
             value: unknown.value(fit.at[k]),
-            interval: quantile * wider * scale * sigma * unknown.slope(fit.at[k]).abs(),
+            interval: half * unknown.slope(fit.at[k]).abs(),
             start: unknown.start,
         }
     };
