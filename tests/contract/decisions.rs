@@ -94,6 +94,9 @@ fn a_fit_finds_the_values_of_a_drop() {
         let estimate = &answer["estimates"][k];
         let (value, interval) = (number(estimate, "value"), number(estimate, "interval"));
         assert!((value - exact).abs() < 2.0 * interval && interval < 0.05 * exact.abs(), "{estimate}");
+        let ends = [0, 1].map(|end| estimate["range"][end].as_f64().expect("an end"));
+        let farther = (value - ends[0]).max(ends[1] - value);
+        assert!(ends[0] < value && value < ends[1] && (farther / interval - 1.0).abs() < 1e-9, "{estimate}");
     }
     assert!(place.text("fit/fit.html").contains("wedge.vy_m_per_s: measured less fitted"));
     assert!(place.text("fit/curves.csv").lines().count() == lines.len() + 1);
@@ -103,6 +106,8 @@ fn a_fit_finds_the_values_of_a_drop() {
     let ended = place.run(&[&["fit"], &drop[..], &keys[..]].concat());
     if ended.code == Some(0) {
         assert!(ended.stdout.contains("these data do not determine it"), "{}", ended.stdout);
+        let answer: Value = serde_json::from_str(&ended.stdout).expect("JSON on stdout");
+        assert!(answer["estimates"][1]["range"][1].is_null(), "{}", ended.stdout);
     } else {
         assert_eq!(ended.code, Some(2), "{}", ended.message);
     }

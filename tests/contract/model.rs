@@ -254,3 +254,28 @@ fn results_of_a_theory_do_not_depend_on_its_rows() {
         assert!((few[k] / many[k] - 1.0).abs() < 0.01, "{few:?}, {many:?}");
     }
 }
+
+/// The force at the first contact of round and flat bottoms is shorter than the rows: the impulse is the momentum that the body lost.
+#[test]
+fn the_impulse_on_a_free_body_is_its_loss_of_momentum() {
+    let place = Workplace::new();
+    let flat = "name = \"flat\"\nsymmetry = \"x\"\n[time]\nend = 0.06\n[body]\nname = \"section\"\nshape = \"polygon\"\n\
+                points = [[0.1, 0.0], [0.3, 0.1], [0.3, 0.7], [-0.3, 0.7], [-0.3, 0.1], [-0.1, 0.0]]\nmass = 15\nfree = [\"y\"]\n\
+                velocity = [0.0, -4.0]\n";
+    std::fs::write(place.path("flat.toml"), flat).expect("a file");
+    let round =
+        ["fuselage_section", "--set", "body.mass=60", "--set", "body.side_height=1.5", "--set", "time.end=0.12"];
+    for (scene, mass, speed, out) in [(&round[..], 60.0, 5.0, "round"), (&["flat.toml"], 15.0, 4.0, "flat")] {
+        let ended = place.run(&[&["run"], scene, &["--set", "model=boundary_element", "--out", out]].concat());
+        assert_eq!(ended.code, Some(0), "{}", ended.message);
+        let series = place.text(&format!("{out}/series.csv"));
+        let rows: Vec<Vec<&str>> = series.lines().map(|line| line.split(',').collect()).collect();
+        let last = |name: &str| -> f64 {
+            let column = rows[0].iter().position(|column| column.ends_with(name)).expect("a column");
+            rows[rows.len() - 1][column].parse().expect("a number")
+        };
+        let lost = mass * (9.81 * last("time_s") + last(".vy_m_per_s") + speed);
+        let impulse = place.summary(out)["results"]["impulse_N_s_per_m"]["value"].as_f64().expect("an impulse");
+        assert!((impulse / lost - 1.0).abs() < 1e-4, "{out}: {impulse} for {lost}");
+    }
+}

@@ -57,10 +57,11 @@ impl From<DataError> for Stop {
 fn words(fitted: &Fitted) -> String {
     let of = |e: &decide::fit::Estimate| {
         format!(
-            "{} = {} ± {} (95 %), from {}",
+            "{} = {}, {} to {} at 95 %, from {}",
             e.key,
             significant(e.value),
-            significant(e.interval),
+            significant(e.range[0]),
+            significant(e.range[1]),
             significant(e.start)
         )
     };

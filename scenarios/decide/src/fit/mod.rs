@@ -36,7 +36,9 @@ pub struct Estimate {
     pub key: String,
     /// Its value, in the unit of the key.
     pub value: f64,
-    /// Half of the interval in which it is at 95 %.
+    /// The interval in which it is at 95 %; infinite, `null` in JSON, where the data give no end.
+    pub range: [f64; 2],
+    /// How far the farther end is from the value.
     pub interval: f64,
     /// Where it began.
     pub start: f64,
@@ -76,11 +78,6 @@ impl Unknown {
             None => self.start * q.exp(),
         }
     }
-
-    /// dvalue/dq.
-    fn slope(&self, q: f64) -> f64 {
-        self.linear.unwrap_or_else(|| self.value(q))
-    }
 }
 
 /// Find the values of `keys` with which the scene gives the curves.
@@ -96,7 +93,14 @@ pub fn fit(evaluator: &Evaluator, keys: &[String], curves: &[Curve]) -> Result<F
     let unknowns = unknowns(evaluator, keys, curves)?;
     let points: usize = curves.iter().map(|curve| curve.points.len()).sum();
     if points <= unknowns.len() + 1 {
-        return Err(EvaluateError::Key(format!("{points} points for {} values: expected more", unknowns.len())));
+        let expected = unknowns.len() + 2;
+        return Err(EvaluateError::Key(format!("{points} points in the time of the run: expected {expected} or more")));
+    }
+    if let Some(flat) = curves.iter().find(|curve| curve.points.iter().all(|p| p[1] == curve.points[0][1])) {
+        return Err(EvaluateError::Key(format!(
+            "{}: all values are alike: expected a curve that changes",
+            flat.column
+        )));
     }
     let modelled = |q: &[f64]| modelled(evaluator, &unknowns, curves, q);
     let mut weights: Vec<f64> = curves.iter().map(|curve| 1.0 / (0.03 * curve.range())).collect();
@@ -120,7 +124,7 @@ pub fn fit(evaluator: &Evaluator, keys: &[String], curves: &[Curve]) -> Result<F
     let correlation = neighbours(curves, &found);
     let residuals = |q: &[f64]| weighed(q, &used);
     let reach = |k: usize, of_line: [f64; 2]| {
-        profile::half_width(&fit, k, of_line, residuals, |q| slopes(q, STEPS[STEPS.len() - 1], residuals))
+        profile::reach(&fit, k, of_line, residuals, |q| slopes(q, STEPS[STEPS.len() - 1], residuals))
     };
     let estimates = estimates(&unknowns, &fit, points, correlation, reach);
     let model = evaluator.load(&[])?.scene.model.name().to_string();
@@ -234,14 +238,14 @@ fn neighbours(curves: &[Curve], found: &[Vec<f64>]) -> f64 {
     if sums[1] > 0.0 { sums[0] / sums[1] } else { 0.0 }
 }
 
-/// Intervals of Student's distribution; residuals that are alike count as fewer. `reach` gives the half of an interval where that of a linear fit
-/// ends, with its growth of the sum of squares.
+/// Intervals of Student's distribution; residuals that are alike count as fewer. `reach` gives the distances to the ends of an interval
+/// where a linear fit has them, with its growth of the sum of squares.
 fn estimates(
     unknowns: &[Unknown],
     fit: &Fit,
     points: usize,
     correlation: f64,
-    reach: impl Fn(usize, [f64; 2]) -> f64,
+    reach: impl Fn(usize, [f64; 2]) -> [f64; 2],
 ) -> Vec<Estimate> {
     let spread = fit.covariance();
     let alike = correlation.clamp(0.0, 0.99);
@@ -251,13 +255,12 @@ fn estimates(
     let scale = (fit.square() / (points - unknowns.len()) as f64).sqrt();
     let of = |(k, unknown): (usize, &Unknown)| {
         let deviation = quantile * wider * scale;
-        let half = reach(k, [deviation * spread[k][k].sqrt(), deviation * deviation]);
-        Estimate {
-            key: unknown.key.clone(),
-            value: unknown.value(fit.at[k]),
-            interval: half * unknown.slope(fit.at[k]).abs(),
-            start: unknown.start,
-        }
+        let [below, above] = reach(k, [deviation * spread[k][k].sqrt(), deviation * deviation]);
+        let value = unknown.value(fit.at[k]);
+        let mut range = [-below, above].map(|way| unknown.value(fit.at[k] + way));
+        range.sort_by(f64::total_cmp);
+        let interval = range.iter().map(|end| (end - value).abs()).fold(0.0, f64::max);
+        Estimate { key: unknown.key.clone(), value, range, interval, start: unknown.start }
     };
     unknowns.iter().enumerate().map(of).collect()
 }

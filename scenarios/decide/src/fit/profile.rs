@@ -6,18 +6,18 @@ use super::least_squares::{Fit, minimise};
 
 /// Share of the growth that is asked for, from which it is taken as quadratic [-].
 const ENOUGH: f64 = 0.7;
-/// Where the search ends.
+/// Distance at which a value without an end of its interval counts as unknown.
 const LONGEST: f64 = 0.5;
 
-/// Half of the interval of value `k`, at least the `half` of the linear fit: there the least sum of squares over the other values is larger by `growth`.
-/// Residuals and their derivatives are those of all values.
-pub fn half_width(
+/// Distances to the ends of the interval of value `k`, below and above, at least the `half` of the linear fit: there the least sum of squares over
+/// the other values is larger by `growth`; infinite where it is not. Residuals and their derivatives are those of all values.
+pub fn reach(
     fit: &Fit,
     k: usize,
     [half, growth]: [f64; 2],
     residuals: impl Fn(&[f64]) -> Option<Vec<f64>>,
     slopes: impl Fn(&[f64]) -> Option<Vec<Vec<f64>>>,
-) -> f64 {
+) -> [f64; 2] {
     let spread = fit.covariance();
     let with = |others: &[f64], way: f64| {
         let mut at = others.to_vec();
@@ -44,13 +44,13 @@ pub fn half_width(
         while reach < LONGEST {
             match grown(sign * reach) {
                 Some(grown) if grown < ENOUGH * growth => reach *= 2.0,
-                Some(grown) => return reach * (growth / grown).sqrt(),
+                Some(grown) => return half.max(reach * (growth / grown).sqrt()),
                 None => return reach,
             }
         }
-        LONGEST
+        f64::INFINITY
     };
-    if half < LONGEST { to_side(1.0).max(to_side(-1.0)).max(half) } else { half }
+    [-1.0, 1.0].map(to_side)
 }
 
 #[cfg(test)]
@@ -65,9 +65,9 @@ mod tests {
         let fit = Fit { at: vec![0.0; 2], residuals: vec![0.0; 11], jacobian: vec![vec![1.0; 11], x.clone()] };
         let sigma = 0.01 * fit.covariance()[1][1].sqrt();
         let slopes = |_: &[f64]| Some(vec![vec![1.0; 11], x.clone()]);
-        let exact = half_width(&fit, 1, [sigma, 1e-4], |q| Some(of(q, 1.0)), slopes);
-        assert!((exact / sigma - 1.0).abs() < 1e-6, "{exact} for {sigma}");
-        let forgotten = half_width(&fit, 1, [sigma, 1e-4], |q| Some(of(q, 0.5 * sigma)), slopes);
-        assert_eq!(forgotten, LONGEST);
+        let exact = reach(&fit, 1, [sigma, 1e-4], |q| Some(of(q, 1.0)), slopes);
+        assert!(exact.iter().all(|end| (end / sigma - 1.0).abs() < 1e-6), "{exact:?} for {sigma}");
+        let [below, above] = reach(&fit, 1, [sigma, 1e-4], |q| Some(of(q, 0.5 * sigma)), slopes);
+        assert!((below / sigma - 1.0).abs() < 1e-6 && above.is_infinite(), "{below} and {above} for {sigma}");
     }
 }

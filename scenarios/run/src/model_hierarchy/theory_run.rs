@@ -58,7 +58,7 @@ pub(crate) fn run(
     let bars = error_bars(scene, body, &theory, &series);
     let end = theory.instants.last().map_or(0.0, |i| i.time);
     let detailed = detailed(scene, &theory)?;
-    let results = results(body, detailed.as_ref().unwrap_or(&theory), &bars, scene.report.bandwidth);
+    let results = results(scene, body, detailed.as_ref().unwrap_or(&theory), &bars);
     let (mut results, mut doubts) = with_panels(results, scene, &theory);
     if body.is_free() {
         doubts.extend(results.still_growing([0.0, end]));
@@ -159,7 +159,8 @@ fn error_bars(scene: &Scene, body: &Body, theory: &Theory, series: &Series) -> E
 }
 
 /// Results of a theory: no particles, so no mean unless the scene asks for a bandwidth.
-fn results(body: &Body, theory: &Theory, bars: &ErrorBars, bandwidth: Option<f64>) -> Results {
+fn results(scene: &Scene, body: &Body, theory: &Theory, bars: &ErrorBars) -> Results {
+    let bandwidth = scene.report.bandwidth;
     let (mut forces, mut accelerations) = (RunningIntegral::<2>::default(), RunningIntegral::<1>::default());
     for (now, motion) in theory.instants.iter().zip(theory.motions(body)) {
         forces.take(now.time, motion.force);
@@ -191,7 +192,7 @@ fn results(body: &Body, theory: &Theory, bars: &ErrorBars, bandwidth: Option<f64
     // formulas were measured on faces alone: their force past wet chines, and the impulse with it, was not
     let of_impulse = share.filter(|_| !(theory.wets_chines() && theory.model.is_formula()));
     let [x, y] = forces.total();
-    let impulse = x.hypot(y + theory.impulse_at_contact());
+    let impulse = x.hypot(impulse_of_momentum(scene, body, theory).unwrap_or(y + theory.impulse_at_contact()));
     let gauges = bars.iter().filter(|(path, _)| path.ends_with(".p_Pa/value"));
     let pressure = gauges.max_by(|(_, a), (_, b)| a.value.total_cmp(&b.value));
     let all = [
@@ -202,6 +203,14 @@ fn results(body: &Body, theory: &Theory, bars: &ErrorBars, bandwidth: Option<f64
     ];
     let body = all.into_iter().filter_map(|(name, quantity)| Some((name, quantity?))).collect();
     Results { body, ..Results::default() }
+}
+
+/// Impulse upwards on a rigid free body, exact where the force of the first contact is shorter than the rows: m (g Δt − ΔV).
+fn impulse_of_momentum(scene: &Scene, body: &Body, theory: &Theory) -> Option<f64> {
+    let Motion::Free(freedom) = &body.motion else { return None };
+    let (first, last) = (theory.instants.first()?, theory.instants.last()?);
+    let of_water = -scene.gravity[1] * (last.time - first.time) - last.speed - body.velocity[1];
+    theory.bending_flow().is_none().then_some(freedom.mass * of_water)
 }
 
 /// A largest acceleration that is downward is that of the fall.
