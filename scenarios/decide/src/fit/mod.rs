@@ -142,7 +142,7 @@ pub fn fit(evaluator: &Evaluator, keys: &[String], curves: &[Curve]) -> Result<F
 fn slopes(q: &[f64], step: f64, residuals: impl Fn(&[f64]) -> Option<Vec<f64>> + Sync) -> Option<Vec<Vec<f64>>> {
     let moved = |j: usize| {
         let mut moved = q.to_vec();
-        moved[j / 2] += if j % 2 == 0 { step } else { -step };
+        moved[j / 2] += if j.is_multiple_of(2) { step } else { -step };
         residuals(&moved)
     };
     let columns = (0..q.len() * 2).into_par_iter().map(moved).collect::<Option<Vec<_>>>()?;
