@@ -75,7 +75,7 @@ struct Block {
     middle: [Lanes; 2],
     half: [Lanes; 2],
     square: [Lanes; 2],
-    /// The square of its length.
+    /// The square of half its length.
     size: Lanes,
 }
 

@@ -23,9 +23,9 @@ fn series_and_logarithm_agree() {
     let block = Elements::new(&z).blocks;
     for (k, ends) in z.windows(2).enumerate() {
         let [from, to] = [ends[0], ends[1]];
-        for turn in 0..16 {
+        for (turn, near_by) in (0..16).flat_map(|turn| [(turn, FAR), (turn, VERY_SMALL)]) {
             let away = c64::new(0.0, f64::from(turn) * std::f64::consts::PI / 8.0).exp();
-            let at = 0.5 * (from + to) + away * (0.5 * (to - from).norm() / (0.999 * FAR).sqrt());
+            let at = 0.5 * (from + to) + away * (0.5 * (to - from).norm() / (0.999 * near_by).sqrt());
             let Factors { of, near } = by_series(&block[k / LANES], at);
             assert!(near.0[k % LANES] < FAR);
             for (number, exact) in by_logarithm([from - at, to - at]).into_iter().enumerate() {
