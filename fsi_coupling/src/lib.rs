@@ -69,7 +69,7 @@ pub use bodies::modal::body::ModalBody;
 pub use bodies::modal::spec::ModalSpec;
 pub use bodies::modes_state::{ModalExtremes, ModesState};
 pub use bodies::panel_state::{PanelState, Station, Watched, Worst};
-pub use bodies::prescribed::PrescribedBody;
+pub use bodies::prescribed::{Law, PrescribedBody};
 pub use bodies::rigid::RigidBody2d;
 pub use bodies::rigid_motion::RigidMotion;
 pub use bodies::rigid_spec::RigidSpec;

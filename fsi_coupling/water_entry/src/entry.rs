@@ -1,25 +1,40 @@
 //! The vertical motion of a section that enters water, by a theory's loads.
 
+use super::given_motion::GivenMotion;
 use super::loads::{Load, Loads};
 use super::model::{EntryModel, OutOfRange};
 use super::section::Section;
 
 /// How the section moves.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub enum SectionMotion {
     /// On at its speed.
     Constant,
     /// By its weight and the water's load: mass of the whole section [kg/m].
     Free(f64),
+    /// As it is given, whatever the load; `draught` and `speed` beside it are those at t = 0.
+    Given(GivenMotion),
 }
 
 impl SectionMotion {
     /// EN50: speed after contact over that before: a flat keel gives the water the momentum ρMV at once.
-    pub(super) fn kept_at_contact(self, section: &Section, density: f64) -> f64 {
+    pub(super) fn kept_at_contact(&self, section: &Section, density: f64) -> f64 {
         match self {
-            SectionMotion::Constant => 1.0,
+            SectionMotion::Constant | SectionMotion::Given(_) => 1.0,
             SectionMotion::Free(mass) => mass / (mass + density * section.mass_at_contact()),
         }
+    }
+
+    /// The acceleration in air [m/s²] of a section at a draught [m] and a downward speed [m/s], the time of its contact [s], and its speed then.
+    pub fn contact(&self, [draught, speed]: [f64; 2], gravity: f64) -> [f64; 3] {
+        if let SectionMotion::Given(way) = self {
+            let time = way.contact();
+            return [0.0, time, way.at(time)[1]];
+        }
+        let g = if matches!(self, SectionMotion::Free(_)) { gravity } else { 0.0 };
+        let height = -draught;
+        let time = if height > 0.0 { 2.0 * height / (speed + (speed * speed + 2.0 * g * height).sqrt()) } else { 0.0 };
+        [g, time, speed + g * time]
     }
 }
 
@@ -95,6 +110,10 @@ impl Entry<'_> {
         let (mut state, mut now) = ([self.draught, self.speed], 0.0);
         let mut instants = Vec::with_capacity(times.len());
         for &time in times {
+            if let SectionMotion::Given(way) = &self.motion {
+                let [draught, speed, _] = way.at(time);
+                (state, now) = ([draught, speed], time);
+            }
             let steps = ((time - now) / end.max(f64::MIN_POSITIVE) * STEPS).ceil().max(1.0);
             let dt = (time - now) / steps;
             for _ in 0..steps as usize {
@@ -116,8 +135,9 @@ impl Entry<'_> {
         let rho = self.density;
         let area = if self.buoyancy { self.loads.section().still_area(draught) } else { 0.0 };
         let steady = rho * (slam * speed * speed + self.gravity * area);
-        let rate = match self.motion {
+        let rate = match &self.motion {
             SectionMotion::Constant => 0.0,
+            SectionMotion::Given(way) => way.at(time)[2],
             SectionMotion::Free(mass) => (mass * self.gravity - steady) / (mass + rho * added_mass),
         };
         Instant { time, draught, speed, rate, force: steady + rho * added_mass * rate, wetted }

@@ -31,6 +31,7 @@ pub mod ditching;
 mod dobrovolskaya;
 mod entry;
 pub mod finite_span;
+mod given_motion;
 mod hydroelastic;
 pub mod keel;
 mod loads;
@@ -48,6 +49,7 @@ pub use boundary_element::{
     FlowEntry, FlowHistory, FlowLoad, RolledEntry, RolledFlow, RolledInstant, RolledLoad, WaterOnBottom,
 };
 pub use entry::{Entry, Instant, SectionMotion};
+pub use given_motion::GivenMotion;
 pub use hydroelastic::{ElasticWedge, Held, WedgeState};
 pub use loads::{Load, Loads};
 pub use model::{BOUNDARY_ELEMENT_DEADRISES, EntryModel, OutOfRange};

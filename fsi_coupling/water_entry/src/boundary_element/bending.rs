@@ -169,9 +169,8 @@ impl EntryFlow {
 
     /// The same flow about the bottom where it is now.
     fn with_motion(mut self, BottomMotion { draught, speed, deflection }: BottomMotion) -> EntryFlow {
-        let of_keel = self.face.keel_speed(self.half_width()) * (draught - self.draught);
-        self.face = self.face.at_draught(self.face.draught + of_keel).bent(deflection);
-        (self.draught, self.speed) = (draught, speed);
+        self.place(draught, speed);
+        self.face = self.face.bent(deflection);
         let edge = self.face.edge();
         if let Some(at_chine) = self.underside.as_mut().and_then(|surface| surface.z.last_mut()) {
             *at_chine = edge;

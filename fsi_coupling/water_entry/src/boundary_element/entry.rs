@@ -46,7 +46,7 @@ pub(super) struct AddedKeel {
 }
 
 /// A section on its way into still water.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct FlowEntry<'a> {
     /// A wedge, an arc of a circle, or a polygon.
     pub section: &'a Section,
@@ -121,7 +121,7 @@ impl FlowEntry<'_> {
     fn solve_with(&self, keel: AddedKeel, times: &[f64]) -> Result<Found, OutOfRange> {
         let end = times.last().copied().unwrap_or(0.0);
         let start = [self.draught, self.speed];
-        let [g, in_air, in_fall] = contact(self.motion, start, self.gravity);
+        let [g, in_air, in_fall] = self.motion.contact(start, self.gravity);
         let kept = if self.draught <= 0.0 { self.motion.kept_at_contact(self.section, self.density) } else { 1.0 };
         let at_contact = kept * in_fall;
         let begin = self.begin(at_contact, end - in_air, g, keel);
@@ -131,11 +131,11 @@ impl FlowEntry<'_> {
 
         let nothing = FlowLoad { force: 0.0, added_mass: 0.0, pressure: vec![[0.0; 3]; 2] };
         let mut steps: Vec<Step> =
-            fall(start, in_air, g).map(|state| self.step_of(state, &nothing, [0.0; 2])).collect();
+            fall(&self.motion, start, in_air, g).map(|state| self.step_of(state, &nothing, [0.0; 2])).collect();
         let mut time = in_air;
         if self.draught <= 0.0 {
             let speed;
-            let (load, rate) = (|h: f64, v: f64| before.load(h, v), |load: &FlowLoad| self.rate(load));
+            let (load, rate) = (|h: f64, v: f64| before.load(h, v), |time: f64, load: &FlowLoad| self.rate(time, load));
             let keep =
                 |state: [f64; 4], load: &FlowLoad| steps.push(self.step_of(state, load, [load.half_breadth(); 2]));
             [time, speed] = until_the_flow(begin, before.grading(), [in_air, at_contact], load, rate, keep);
@@ -191,12 +191,16 @@ impl FlowEntry<'_> {
                 let wet = |x: f64| self.section.wagner_draught(x);
                 let half_breadth = self.section.followed_half_breadth();
                 let chines = wet(half_breadth);
-                let last = (draught.max(0.0) + at_contact * left + 0.5 * g * left * left).min(chines);
+                let last = match &self.motion {
+                    SectionMotion::Given(way) => way.deepest(),
+                    _ => draught.max(0.0) + at_contact * left + 0.5 * g * left * left,
+                };
+                let last = last.min(chines);
                 let without_gravity = latest_under_gravity(at_contact, self.gravity, self.section.slope(0.0));
                 let last = last.max(1e-9 * chines);
                 let begin = if self.section.is_followed_as_wedge() {
-                    let slowed = slowed_at(self.motion, self.density).min(half_breadth);
-                    begin_of_wedge(self.motion, self.gravity, last, wet(slowed))
+                    let slowed = slowed_at(&self.motion, self.density).min(half_breadth);
+                    begin_of_wedge(&self.motion, self.gravity, last, wet(slowed))
                 } else {
                     BEGIN * last
                 };
@@ -209,9 +213,9 @@ impl FlowEntry<'_> {
         FlowEntry::DEEPEST * 2.0 * self.section.half_breadth()
     }
 
-    /// The downward acceleration under a load [m/s²].
-    fn rate(&self, load: &FlowLoad) -> f64 {
-        rate(self.motion, self.gravity, self.density, [load.force, load.added_mass])
+    /// The downward acceleration at a time [s] under a load [m/s²].
+    fn rate(&self, time: f64, load: &FlowLoad) -> f64 {
+        rate(&self.motion, time, self.gravity, self.density, [load.force, load.added_mass])
     }
 
     /// The steps of the flow from `time` to `end` [s].
@@ -220,15 +224,19 @@ impl FlowEntry<'_> {
         loop {
             let (draught, speed, width) = (flow.draught(), flow.speed(), flow.half_width());
             let instead = |load: &FlowLoad| before.instead_of(load.clone(), draught, speed);
-            let Ok((dt, load)) = flow.step(|load| self.rate(&instead(load))) else { break };
+            let Ok((dt, load)) = flow.step(|load| self.rate(time, &instead(load))) else { break };
             let load = instead(&load);
             let face = load.half_breadth().min(self.section.followed_half_breadth());
-            steps.push(self.step_of([time, draught, speed, self.rate(&load)], &load, [face, width]));
+            steps.push(self.step_of([time, draught, speed, self.rate(time, &load)], &load, [face, width]));
             let over = EntryModel::BoundaryElement.covers(self.section, width).is_err();
             if time >= end || speed < stopped || draught > self.deepest() || over || self.is_wet_again(&flow) {
                 break;
             }
             time += dt;
+            if let SectionMotion::Given(way) = &self.motion {
+                let [draught, speed, _] = way.at(time);
+                flow.place(draught, speed);
+            }
         }
         steps
     }
@@ -265,7 +273,7 @@ pub(super) fn keels(section: &Section) -> Vec<AddedKeel> {
 }
 
 /// The draught at which the flow about a straight wedge begins [m]: that at which the wedge is `slowed` [m], between two shares of the `last` one [m].
-pub(super) fn begin_of_wedge(motion: SectionMotion, gravity: f64, last: f64, slowed: f64) -> f64 {
+pub(super) fn begin_of_wedge(motion: &SectionMotion, gravity: f64, last: f64, slowed: f64) -> f64 {
     let is_similar = matches!(motion, SectionMotion::Constant) && gravity == 0.0;
     let latest = if is_similar { LATEST_OF_SIMILAR } else { LATEST_OF_WEDGE };
     slowed.clamp(BEGIN * last, latest * last)
@@ -278,32 +286,44 @@ pub(super) fn latest_under_gravity(speed: f64, gravity: f64, slope: f64) -> f64 
 }
 
 /// Half width of the wetted bottom at which the water, of the added mass ½πρc², has taken the share `SLOWED` of the speed [m].
-pub(super) fn slowed_at(motion: SectionMotion, density: f64) -> f64 {
+/// 0 of a motion that is given.
+pub(super) fn slowed_at(motion: &SectionMotion, density: f64) -> f64 {
     match motion {
         SectionMotion::Constant => f64::INFINITY,
+        SectionMotion::Given(_) => 0.0,
         SectionMotion::Free(mass) => (2.0 * SLOWED * mass / (std::f64::consts::PI * density)).sqrt(),
     }
 }
 
-/// The acceleration in air [m/s²] of a body at a draught [m] and a downward speed [m/s], the time of its contact [s], and its speed then.
-pub(super) fn contact(motion: SectionMotion, [draught, speed]: [f64; 2], gravity: f64) -> [f64; 3] {
-    let g = if matches!(motion, SectionMotion::Free(_)) { gravity } else { 0.0 };
-    let height = -draught;
-    let time = if height > 0.0 { 2.0 * height / (speed + (speed * speed + 2.0 * g * height).sqrt()) } else { 0.0 };
-    [g, time, speed + g * time]
-}
-
 /// Time, draught, downward speed and acceleration in air until `contact` [s].
-pub(super) fn fall([draught, speed]: [f64; 2], contact: f64, g: f64) -> impl Iterator<Item = [f64; 4]> {
+pub(super) fn fall(
+    motion: &SectionMotion,
+    [draught, speed]: [f64; 2],
+    contact: f64,
+    g: f64,
+) -> impl Iterator<Item = [f64; 4]> {
     let count = if contact > 0.0 { STEPS_BEFORE } else { 0 };
     let times = (0..count).map(move |k| contact * k as f64 / count as f64);
-    times.map(move |time| [time, draught + speed * time + 0.5 * g * time * time, speed + g * time, g])
+    times.map(move |time| match motion {
+        SectionMotion::Given(way) => {
+            let [draught, speed, rate] = way.at(time);
+            [time, draught, speed, rate]
+        }
+        _ => [time, draught + speed * time + 0.5 * g * time * time, speed + g * time, g],
+    })
 }
 
-/// The downward acceleration [m/s²] under an upward force [m³/s²] and an added mass [m²] over the density.
-pub(super) fn rate(motion: SectionMotion, gravity: f64, density: f64, [force, added_mass]: [f64; 2]) -> f64 {
+/// The downward acceleration [m/s²] at a time [s] under an upward force [m³/s²] and an added mass [m²] over the density.
+pub(super) fn rate(
+    motion: &SectionMotion,
+    time: f64,
+    gravity: f64,
+    density: f64,
+    [force, added_mass]: [f64; 2],
+) -> f64 {
     match motion {
         SectionMotion::Constant => 0.0,
+        SectionMotion::Given(way) => way.at(time)[2],
         SectionMotion::Free(mass) => (mass * gravity - density * force) / (mass + density * added_mass),
     }
 }
@@ -315,7 +335,7 @@ pub(super) fn until_the_flow<L>(
     grading: i32,
     [mut time, mut speed]: [f64; 2],
     load: impl Fn(f64, f64) -> L,
-    rate: impl Fn(&L) -> f64,
+    rate: impl Fn(f64, &L) -> f64,
     mut keep: impl FnMut([f64; 4], &L),
 ) -> [f64; 2] {
     let even = begin / STEPS_BEFORE as f64;
@@ -326,10 +346,10 @@ pub(super) fn until_the_flow<L>(
             _ => [graded(k), graded(k + 1) - graded(k)],
         };
         let now = load(draught, speed);
-        let at_start = rate(&now);
+        let at_start = rate(time, &now);
         keep([time, draught, speed, at_start], &now);
         let half = speed + at_start * 0.5 * dh / speed;
-        let in_middle = rate(&load(draught + 0.5 * dh, half));
+        let in_middle = rate(time + 0.5 * dh / half, &load(draught + 0.5 * dh, half));
         time += dh / half;
         speed += in_middle * dh / half;
     }

@@ -127,6 +127,13 @@ impl EntryFlow {
         }
     }
 
+    /// Set the body to a draught [m] and a downward speed [m/s].
+    pub(super) fn place(&mut self, draught: f64, speed: f64) {
+        let of_keel = self.face.keel_speed(self.half_width()) * (draught - self.draught);
+        self.face = self.face.at_draught(self.face.draught + of_keel);
+        (self.draught, self.speed) = (draught, speed);
+    }
+
     fn motion(&self, acceleration: f64, ago: f64) -> Past {
         Past { ago, speeds: [self.speed, self.keel_speed()], acceleration }
     }

@@ -10,6 +10,7 @@ use water_entry::{
     BOUNDARY_ELEMENT_DEADRISES, BendingWater, Entry, EntryModel, Instant, Loads, OutOfRange, Section, SectionMotion,
 };
 
+use super::theory::at_start;
 use crate::build::moving;
 use crate::observers::{modal_values, panel_values};
 use crate::panel::PanelResult;
@@ -75,7 +76,12 @@ impl BendingFlow {
     }
 
     /// Follow the body of a scene by half; also why it was not followed to the end.
-    pub fn of(scene: &Scene, body: &Body, section: &Section) -> Result<(BendingFlow, Option<OutOfRange>), OutOfRange> {
+    pub fn of(
+        scene: &Scene,
+        body: &Body,
+        section: &Section,
+        motion: SectionMotion,
+    ) -> Result<(BendingFlow, Option<OutOfRange>), OutOfRange> {
         BendingFlow::check(scene, section)?;
         let (density, gravity) = (scene.water().density, -scene.gravity[1]);
         let wrong = |error: &dyn std::fmt::Display| refuse(error.to_string());
@@ -83,16 +89,19 @@ impl BendingFlow {
             let [x, y] = body.position;
             RigidMotion { position: [x, y - by], velocity: [0.0, -speed], ..RigidMotion::default() }
         };
-        let built = |motion: RigidMotion, time: f64| {
-            moving(scene, body, &rows(scene), (motion, time)).map_err(|error| wrong(&error))
-        };
-        let whole = built(moved(0.0, 1.0), 0.0)?;
+        let whole = moving(scene, body, &rows(scene), (moved(0.0, 1.0), 0.0)).map_err(|error| wrong(&error))?;
         let columns = columns_of(&*whole).len();
         // rigid, by the modified Logvinovich model, until the flow begins; its mass is its momentum at 1 m/s
-        let before = Before::of(scene, body, section, -whole.momentum().momentum[1])?;
+        let motion = match motion {
+            SectionMotion::Free(_) => SectionMotion::Free(-whole.momentum().momentum[1]),
+            given => given,
+        };
+        let before = Before::of(scene, body, section, motion)?;
         let Before { start, draught, speed, .. } = before;
         let water = BendingWater::new(section, draught, speed, gravity)?;
-        let built = built(moved(water.draught() - body.draught(), speed), start)?;
+        let later = later(body, start);
+        let motion = moved(water.draught() - body.draught(), speed);
+        let built = moving(scene, &later, &rows(scene), (motion, start)).map_err(|error| wrong(&error))?;
         let mut entry = BendingEntry::new(built, section, water, density).map_err(|error| wrong(&error))?;
         let mut found = BendingFlow {
             steps: before.instants.iter().map(|now| Step::rigid(now, columns)).collect(),
@@ -259,20 +268,15 @@ struct Before {
 }
 
 impl Before {
-    /// Of a scene's body of a mass [kg/m], as it stands at the start.
-    fn of(scene: &Scene, body: &Body, section: &Section, mass: f64) -> Result<Before, OutOfRange> {
-        let (draught, speed, gravity, density) =
-            (body.draught(), -body.velocity[1], -scene.gravity[1], scene.water().density);
-        let falls = matches!(body.motion, Motion::Free(_));
-        let motion = if falls { SectionMotion::Free(mass) } else { SectionMotion::Constant };
-        let g = if falls { gravity } else { 0.0 };
-        let fallen = (-draught).max(0.0);
-        let at_contact = (speed * speed + 2.0 * g * fallen).sqrt();
+    /// Of a scene's body as it stands at the start, which moves so.
+    fn of(scene: &Scene, body: &Body, section: &Section, motion: SectionMotion) -> Result<Before, OutOfRange> {
+        let (draught, speed) = at_start(body, &motion);
+        let (gravity, density) = (-scene.gravity[1], scene.water().density);
+        let [_, in_air, at_contact] = motion.contact([draught, speed], gravity);
         let begin = BendingWater::new(section, draught.max(0.0), at_contact, gravity)?.draught();
         let loads = Loads::new(EntryModel::Mlm, &section.convex())?;
         let entry = Entry { loads: &loads, motion, draught, speed, gravity, density, buoyancy: true, steep: true };
         // the fall, and twice the time that it would take at the speed of the contact
-        let in_air = if fallen > 0.0 { 2.0 * fallen / (speed + at_contact) } else { 0.0 };
         let longest = in_air + 2.0 * (begin - draught.max(0.0)) / at_contact;
         let times: Vec<f64> = (0..=BEFORE).map(|k| longest * k as f64 / BEFORE as f64).collect();
         let (mut instants, _) = entry.solve_while_in_range(&times);
@@ -286,6 +290,14 @@ impl Before {
         instants.truncate(last);
         let mix = |a: f64, b: f64| a + share * (b - a);
         Ok(Before { loads, instants, start: mix(a.time, b.time), draught: begin, speed: mix(a.speed, b.speed) })
+    }
+}
+
+/// The body at a later time [s], at which its table begins.
+fn later(body: &Body, start: f64) -> Body {
+    match &body.motion {
+        Motion::Tabulated(table) => Body { motion: Motion::Tabulated(table.later(start)), ..body.clone() },
+        _ => body.clone(),
     }
 }
 

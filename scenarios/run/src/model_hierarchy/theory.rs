@@ -1,11 +1,12 @@
 //! A scene solved by an entry theory.
 
-use fsi_coupling::Motion as BodyMotion;
 use fsi_coupling::geometry::polygon;
-use scene::{Body, Gauge, GaugeFrame, Motion, Observe, Scene, Shape};
+use fsi_coupling::{Law, Motion as BodyMotion};
+use scene::{Body, Gauge, GaugeFrame, Motion, Moved, Observe, Scene, Shape};
 use settings::significant;
 use water_entry::{
-    Entry, EntryModel, FlowEntry, FlowHistory, Instant, Loads, OutOfRange, RolledInstant, Section, SectionMotion,
+    Entry, EntryModel, FlowEntry, FlowHistory, GivenMotion, Instant, Loads, OutOfRange, RolledInstant, Section,
+    SectionMotion,
 };
 
 use super::bending_flow::{BendingFlow, times_every};
@@ -70,10 +71,10 @@ impl Theory {
     fn solved(scene: &Scene, model: EntryModel, steep: bool) -> Result<(Theory, Option<OutOfRange>), OutOfRange> {
         let (body, section, motion) = upright_entry(scene, model)?;
         if body.bends() && !steep {
-            return bending(scene, model, body, section);
+            return bending(scene, model, body, section, motion);
         }
-        let (draught, speed, gravity, density) =
-            (body.draught(), -body.velocity[1], -scene.gravity[1], scene.water().density);
+        let (draught, speed) = at_start(body, &motion);
+        let (gravity, density) = (-scene.gravity[1], scene.water().density);
         let times = sample_times(scene);
         let at_rest = if model.is_formula() { gravity } else { 0.0 };
         let (instants, source, end) = if model.is_formula() {
@@ -313,11 +314,12 @@ fn bending(
     model: EntryModel,
     body: &Body,
     section: Section,
+    motion: SectionMotion,
 ) -> Result<(Theory, Option<OutOfRange>), OutOfRange> {
     model.covers(&section, 0.0)?;
     let times = sample_times(scene);
     if model == EntryModel::BoundaryElement {
-        let (flow, end) = BendingFlow::of(scene, body, &section)?;
+        let (flow, end) = BendingFlow::of(scene, body, &section, motion)?;
         let instants = flow.instants(&times);
         let source = Source::Bending(Box::new(flow));
         return Ok((Theory { model, section, instants, density: scene.water().density, gravity: 0.0, source }, end));
@@ -358,6 +360,23 @@ fn refuse(what: &str) -> OutOfRange {
     }
 }
 
+/// A body's way down by its law up to an `end` [s].
+fn given(body: &Body, law: Law, end: f64) -> GivenMotion {
+    let (draught, y) = (body.draught(), body.position[1]);
+    GivenMotion::new(end, move |time| {
+        let now = law(time);
+        [draught - (now.position[1] - y), -now.velocity[1], -now.acceleration[1]]
+    })
+}
+
+/// Draught [m] and downward speed [m/s] at t = 0.
+pub(super) fn at_start(body: &Body, motion: &SectionMotion) -> (f64, f64) {
+    match motion {
+        SectionMotion::Given(way) => (way.at(0.0)[0], way.at(0.0)[1]),
+        _ => (body.draught(), -body.velocity[1]),
+    }
+}
+
 /// Times of the rows of the series [s].
 fn sample_times(scene: &Scene) -> Vec<f64> {
     times_every(scene.time.sample_every, scene.time.end)
@@ -390,6 +409,12 @@ fn upright_entry(scene: &Scene, model: EntryModel) -> Result<(&Body, Section, Se
     }
     let motion = match &body.motion {
         Motion::ConstantVelocity => SectionMotion::Constant,
+        Motion::Tabulated(table) if !rolls && table.is_upright() => {
+            match body.motion.moved(&scene.motion_at_start(body)) {
+                Moved::ByLaw(law) => SectionMotion::Given(given(body, law, scene.time.end)),
+                Moved::ByLoads(_) => return Err(refuse("a body that is held or swings")),
+            }
+        }
         Motion::Free(freedom) if freedom.y() && (!rolls || freedom.free.len() == 1) => {
             SectionMotion::Free(freedom.mass)
         }

@@ -1,6 +1,6 @@
 //! `body.displacements`: a motion from a table.
 
-use fsi_coupling::RigidMotion;
+use fsi_coupling::{PrescribedBody, RigidMotion};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use settings::significant;
@@ -96,6 +96,22 @@ impl Displacements {
                 )
             })
         })
+    }
+
+    /// Does the body only move up and down?
+    pub fn is_upright(&self) -> bool {
+        self.displacements.iter().all(|[_, x, _, angle]| *x == 0.0 && *angle == 0.0)
+            && self.displacement_rates.iter().all(|[u, _, spin]| *u == 0.0 && *spin == 0.0)
+    }
+
+    /// The same motion of a body that starts where this one is at a time [s].
+    pub fn later(&self, start: f64) -> Displacements {
+        let rates: Vec<[f64; 3]> = (0..self.displacements.len()).map(|row| self.velocities(row)).collect();
+        let whole = Displacements { displacement_rates: rates, ..self.clone() };
+        let Some(law) = PrescribedBody::tabulated(whole.motions(&RigidMotion::default())) else { return whole };
+        let RigidMotion { position: [x, y], angle, .. } = law(start);
+        let moved = |row: &[f64; 4]| [row[0] - start, row[1] - x, row[2] - y, row[3] - angle.to_degrees()];
+        Displacements { displacements: self.displacements.iter().map(moved).collect(), ..whole }
     }
 
     /// The rows of the motion of a body that starts so.

@@ -3,7 +3,7 @@
 use super::{RolledFlow, RolledLoad};
 use crate::asymmetric_similarity::AsymmetricFlow;
 use crate::boundary_element::entry::{
-    STOPPED, begin_of_wedge, contact, fall, latest_under_gravity, rate, slowed_at, until_the_flow,
+    STOPPED, begin_of_wedge, fall, latest_under_gravity, rate, slowed_at, until_the_flow,
 };
 use crate::entry::SectionMotion;
 use crate::model::{EntryModel, OutOfRange};
@@ -12,7 +12,7 @@ use crate::model::{EntryModel, OutOfRange};
 const DEEPEST: f64 = 1.0;
 
 /// A wedge with two deadrises on its way into still water; pairs are left, right.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct RolledEntry {
     /// Deadrises of the faces [rad].
     pub deadrises: [f64; 2],
@@ -61,14 +61,15 @@ impl RolledEntry {
     /// As [`RolledFlow::new`]; a flow that cannot be followed for two steps.
     pub fn solve(&self, end: f64) -> Result<(Vec<RolledInstant>, Option<OutOfRange>), OutOfRange> {
         let start = [self.draught, self.speed];
-        let [g, in_air, at_contact] = contact(self.motion, start, self.gravity);
+        let [g, in_air, at_contact] = self.motion.contact(start, self.gravity);
         let begin = self.begin(at_contact, end - in_air, g)?;
         let similar = RolledFlow::oblique(self.deadrises, self.lengths, begin, [self.sideways, at_contact], 0.0)?;
         let nothing = RolledLoad::default();
-        let mut instants: Vec<_> = fall(start, in_air, g).map(|state| self.instant(state, &nothing)).collect();
+        let mut instants: Vec<_> =
+            fall(&self.motion, start, in_air, g).map(|state| self.instant(state, &nothing)).collect();
         let [mut time, mut speed] = [in_air, at_contact];
         if self.draught <= 0.0 {
-            let (end, rate) = (similar.load(), |load: &RolledLoad| self.rate(load));
+            let (end, rate) = (similar.load(), |time: f64, load: &RolledLoad| self.rate(time, load));
             let load = |h: f64, v: f64| end.scaled(h / similar.draught(), v / similar.speed());
             let keep = |state: [f64; 4], load: &RolledLoad| instants.push(self.instant(state, load));
             [time, speed] = until_the_flow(similar.draught(), 1, [time, speed], load, rate, keep);
@@ -97,12 +98,12 @@ impl RolledEntry {
         let slope = self.deadrises[0].max(self.deadrises[1]).tan();
         let without_gravity = latest_under_gravity(at_contact, self.gravity, slope);
         let half_width = |i: usize| similar.faces()[i].peak * self.deadrises[i].cos(); // per draught
-        let slowed = slowed_at(self.motion, self.density) / (0.5 * (half_width(0) + half_width(1)));
-        Ok(begin_of_wedge(self.motion, self.gravity, last.max(1e-9 * wet), slowed).min(without_gravity))
+        let slowed = slowed_at(&self.motion, self.density) / (0.5 * (half_width(0) + half_width(1)));
+        Ok(begin_of_wedge(&self.motion, self.gravity, last.max(1e-9 * wet), slowed).min(without_gravity))
     }
 
-    fn rate(&self, load: &RolledLoad) -> f64 {
-        rate(self.motion, self.gravity, self.density, [load.force[1], load.added_mass[1]])
+    fn rate(&self, time: f64, load: &RolledLoad) -> f64 {
+        rate(&self.motion, time, self.gravity, self.density, [load.force[1], load.added_mass[1]])
     }
 
     /// The steps of the flow from `time` to `end` [s]; why it ended earlier.
@@ -116,10 +117,10 @@ impl RolledEntry {
     ) -> Option<&'static str> {
         loop {
             let [draught, speed] = [flow.draught(), flow.speed()];
-            let Ok((dt, load)) = flow.step(|load| self.rate(load)) else {
+            let Ok((dt, load)) = flow.step(|load| self.rate(time, load)) else {
                 return Some("one whose flow breaks up");
             };
-            instants.push(self.instant([time, draught, speed, self.rate(&load)], &load));
+            instants.push(self.instant([time, draught, speed, self.rate(time, &load)], &load));
             if time >= end {
                 return None;
             }
