@@ -14,7 +14,7 @@ use serde_json::{Value, json};
 
 use crate::answers::{loaded_with, none, of_folder};
 use crate::edit::{Edit, apply};
-use crate::held;
+use crate::held::held;
 use crate::scratch::Scratch;
 
 /// Longest time of a flow.

@@ -12,7 +12,7 @@ use serde::Deserialize;
 use serde_json::{Value, json};
 
 use crate::answers::{refused, result, with_model};
-use crate::held;
+use crate::held::held;
 use crate::scene_view::load;
 
 /// Most points of a grid, and most grids that are kept.

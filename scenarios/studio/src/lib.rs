@@ -9,6 +9,7 @@ mod edit;
 mod flow;
 mod grid;
 mod guard;
+mod held;
 mod http;
 mod outline;
 mod page;
@@ -17,13 +18,12 @@ mod routes;
 mod runs;
 mod scene_view;
 mod scratch;
+mod shared;
 
-use std::ffi::OsString;
 use std::mem::take;
 use std::net::{Ipv4Addr, TcpListener};
-use std::path::PathBuf;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -33,6 +33,8 @@ use guard::Guard;
 use oxhttp::Server;
 use oxhttp::model::{Body, HeaderValue, Request, Response, header};
 use runs::Runs;
+pub use shared::Options;
+use shared::Shared;
 
 /// Connections at the same time, at most: a thread each. Further ones wait.
 const MOST_CONNECTIONS: usize = 256;
@@ -43,23 +45,6 @@ const LAST_ANSWERS: Duration = Duration::from_secs(2);
 /// Pause between two looks for the end.
 const PAUSE: Duration = Duration::from_millis(20);
 
-/// What a studio is given.
-#[derive(Clone, Debug, Default)]
-pub struct Options {
-    /// Folder of the scene's files; runs lie in `runs` below it.
-    pub folder: PathBuf,
-    /// Port; with 0 the system chooses one.
-    pub port: u16,
-    /// The scene's text at the start.
-    pub text: String,
-    /// Name of the file that a download of the scene gets.
-    pub file: String,
-    /// Names and texts of scenes to begin with.
-    pub examples: Vec<(String, String)>,
-    /// Starts this program as a process of its own.
-    pub program: Vec<OsString>,
-}
-
 /// Why a studio cannot be opened.
 #[derive(Debug, thiserror::Error)]
 pub enum StudioError {
@@ -69,20 +54,6 @@ pub enum StudioError {
     /// The system has no random numbers for the token.
     #[error("no random numbers: {0}")]
     Random(getrandom::Error),
-}
-
-/// What all requests share.
-struct Shared {
-    guard: Guard,
-    options: Options,
-    runs: Runs,
-    flows: Flows,
-    grids: Grids,
-}
-
-/// The content of a mutex; a thread that broke down while it held it left a whole one.
-fn held<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// A server of the page, until the process ends.

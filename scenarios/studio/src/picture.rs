@@ -7,7 +7,7 @@ use report::{FlowFrame, FlowView, flow_png};
 use run::log::{Frame, LogError, LoggedFrame, Viewers};
 use scene::Scene;
 
-use crate::held;
+use crate::held::held;
 
 /// Shortest time between two frames.
 const INTERVAL: Duration = Duration::from_millis(200);
@@ -90,11 +90,10 @@ impl LiveFrame {
 /// The part of the tank that is shown: about the bodies, else all [m].
 fn window(scene: &Scene, outlines: &[Vec<[f64; 2]>]) -> [[f64; 2]; 2] {
     let tank = &scene.tank;
-    let moving = scene.all_bodies().next().is_some();
     let all = || outlines.iter().flatten().filter(|point| point[0].is_finite() && point[1].is_finite());
     let [low, high] =
         [f64::min as fn(f64, f64) -> f64, f64::max].map(|of| all().map(|p| p[0]).reduce(of).unwrap_or_default());
-    if !moving || high <= low {
+    if scene.all_bodies().next().is_none() || high <= low {
         return [[-0.5 * tank.width, 0.5 * tank.width], [-tank.depth, tank.height - tank.depth]];
     }
     let lowest = all().map(|point| point[1]).reduce(f64::min).unwrap_or_default();

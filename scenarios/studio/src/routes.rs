@@ -10,10 +10,10 @@ use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
 
 use crate::answers::{of_folder, of_formulas};
-use crate::grid;
 use crate::http::{self, Kind, Refusal, query};
 use crate::scene_view::{self, view};
-use crate::{Shared, outline, page};
+use crate::shared::Shared;
+use crate::{grid, outline, page};
 
 /// Files of a run that the page shows or hands over.
 const FILES: [(&str, Kind); 4] = [
@@ -72,32 +72,29 @@ pub fn answer(studio: &Shared, head: &Parts, body: &[u8]) -> Result<Response<Bod
 }
 
 fn json_answer(studio: &Shared, head: &Parts, path: &[&str], body: &[u8]) -> Result<Value, Refusal> {
+    let folder = &studio.options.folder;
     let id = || query(head, "id").next().and_then(|id| id.parse().ok()).ok_or_else(unknown);
     Ok(match (head.method.as_str(), path) {
         ("GET", ["start"]) => start(studio),
-        ("POST", ["scene"]) => view(&studio.options.folder, &parsed::<scene_view::Asked>(body)?),
-        ("POST", ["theories"]) => {
-            let Text { text, .. } = parsed(body)?;
-            json!(of_formulas(&studio.options.folder, &text))
-        }
+        ("POST", ["scene"]) => view(folder, &parsed::<scene_view::Asked>(body)?),
+        ("POST", ["theories"]) => json!(of_formulas(folder, &parsed::<Text>(body)?.text)),
         ("POST", ["flow"]) => {
             let Text { text, page } = parsed(body)?;
-            let options = &studio.options;
-            let (Ok(answer) | Err(answer)) = studio.flows.answer(&options.program, &options.folder, &text, &page);
+            let (Ok(answer) | Err(answer)) = studio.flows.answer(&studio.options.program, folder, &text, &page);
             answer
         }
         ("POST", ["outline"]) => {
             outline::read(&query(head, "name").next().unwrap_or_default(), query(head, "unit").next().as_deref(), body)
         }
         ("GET", ["runs"]) => studio.runs.list(),
-        ("POST", ["runs"]) => studio.runs.add(&studio.options.folder, &parsed::<Text>(body)?.text),
+        ("POST", ["runs"]) => studio.runs.add(folder, &parsed::<Text>(body)?.text),
         ("GET", ["runs", name, "answer"]) => {
             let folder = studio.runs.folder_of(name).ok_or_else(unknown)?;
             of_folder(&folder).map_err(not_found)?
         }
         ("POST", ["runs", name, "stop"]) => json!({"stopped": studio.runs.stop(name)}),
         ("POST", ["grid"]) => {
-            let begun = studio.grids.start(&studio.options.folder, parsed::<grid::Asked>(body)?);
+            let begun = studio.grids.start(folder, parsed::<grid::Asked>(body)?);
             json!({"id": begun.as_ref().ok(), "error": begun.as_ref().err()})
         }
         ("GET", ["grid"]) => studio.grids.progress(id()?).ok_or_else(unknown)?,

@@ -16,7 +16,7 @@ use scene::{Loaded, Scene};
 use serde_json::{Value, json};
 
 use crate::answers::title;
-use crate::held;
+use crate::held::held;
 use crate::picture::{LiveFrame, Watcher};
 use crate::scene_view::{fingerprint, load, mistake};
 
@@ -210,22 +210,28 @@ impl Runs {
         let share = reached.map_or(0.0, |reached| ((reached.time - start) / (end - start)).clamp(0.0, 1.0));
         let seconds = reached.map(|reached| reached.began.elapsed().as_secs_f64());
         let remaining = seconds.filter(|_| share > 0.02).map(|seconds| seconds * (1.0 - share) / share);
-        let line = json!({
-            "name": run.name,
-            "model": title(run.loaded.scene.model.name()),
-            "particles": !run.loaded.scene.model.is_theory(),
-            "share": share,
-            "time": reached.map_or(0.0, |reached| reached.time),
-            "end": end,
-            "remaining": remaining,
-        });
+        let line = |state: &str| {
+            json!({
+                "name": run.name,
+                "model": title(run.loaded.scene.model.name()),
+                "particles": !run.loaded.scene.model.is_theory(),
+                "state": state,
+                "words": state,
+                "share": share,
+                "time": reached.map_or(0.0, |reached| reached.time),
+                "end": end,
+                "remaining": remaining,
+            })
+        };
         match stage {
-            Stage::Waiting => with(line, json!({"state": "waiting", "words": "waiting"})),
-            Stage::Running => with(line, json!({"state": "running", "words": "running"})),
+            Stage::Waiting => line("waiting"),
+            Stage::Running => line("running"),
             Stage::Ended(status, message) => {
-                let ended =
-                    json!({"state": "ended", "status": status.name(), "words": status.words(), "message": message});
-                with(self.line_of_folder(&run.name).unwrap_or(line), ended)
+                let mut ended = self.line_of_folder(&run.name).unwrap_or_else(|| line("ended"));
+                ended["status"] = json!(status.name());
+                ended["words"] = json!(status.words());
+                ended["message"] = json!(message);
+                ended
             }
         }
     }
@@ -239,7 +245,6 @@ impl Runs {
         Some(json!({
             "name": name,
             "model": title(summary["model"].as_str().unwrap_or_default()),
-            "particles": summary.pointer("/particles/fluid").and_then(Value::as_u64).unwrap_or(0) > 0,
             "state": "ended",
             "status": status.name(),
             "words": status.words(),
@@ -250,12 +255,4 @@ impl Runs {
             "peak": summary.pointer("/results/peak_force_N_per_m/value"),
         }))
     }
-}
-
-/// An object with further fields.
-fn with(mut line: Value, more: Value) -> Value {
-    if let (Some(line), Value::Object(more)) = (line.as_object_mut(), more) {
-        line.extend(more);
-    }
-    line
 }
