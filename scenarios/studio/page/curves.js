@@ -49,9 +49,10 @@ const answers = {
     $("legend").replaceChildren(...drawn.map(([key, answer]) => {
       const box = make("input", { type: "checkbox", onchange: () => { this.hidden[box.checked ? "delete" : "add"](key); this.show(); } });
       box.checked = !this.hidden.has(key);
-      return make("label", {}, box, make("span", { class: "swatch", style: null, "data-hue": colour(key) }), key.startsWith("run ") ? key : answer.title);
+      const swatch = make("span", { class: "swatch" });
+      swatch.style.borderTopColor = colour(key);
+      return make("label", {}, box, swatch, key.startsWith("run ") ? key : answer.title);
     }));
-    $("legend").querySelectorAll(".swatch").forEach((node) => { node.style.borderTopColor = node.dataset.hue; });
     const visible = drawn.filter(([key]) => !this.hidden.has(key));
     const titles = [...new Set(visible.flatMap(([, answer]) => answer.curves.map((curve) => curve.title)))];
     $("curves").replaceChildren(...titles.map((title) => {
@@ -105,14 +106,13 @@ function ticks(low, high, count) {
 function chart(title, xTitle, xSi, curves, bands = []) {
   const width = room(), height = 240, [left, right, top, bottom] = [64, 12, 12, 36];
   const finite = (values) => values.filter((value) => value != null && Number.isFinite(value));
-  const bounds = (values, zero) => {
-    let [low, high] = [Math.min(...values), Math.max(...values)];
-    if (zero) [low, high] = [Math.min(low, 0), Math.max(high, 0)];
+  const bounds = (values) => {
+    const [low, high] = [Math.min(...values), Math.max(...values)];
     return high > low ? [low, high] : [low - 1, high + 1];
   };
   const xs = curves.flatMap((curve) => finite(curve.x)), ys = curves.flatMap((curve) => finite(curve.y)).concat(bands.flatMap((band) => [...finite(band.low), ...finite(band.high)]));
   if (!xs.length || !ys.length) return "";
-  const si = curves[0].si, [x0, x1] = bounds(xs, false), [y0, y1] = bounds(ys, true);
+  const si = curves[0].si, [x0, x1] = bounds(xs), [y0, y1] = bounds([0, ...ys]);
   const [ux, uy] = [unitFor(xSi, Math.max(Math.abs(x0), Math.abs(x1))), unitFor(si, Math.max(Math.abs(y0), Math.abs(y1)))];
   const px = (x) => left + ((x - x0) / (x1 - x0)) * (width - left - right), py = (y) => height - bottom - ((y - y0) / (y1 - y0)) * (height - top - bottom);
   const heading = `${title} [${uy.name || "–"}] over ${xTitle.toLowerCase()} [${ux.name || "–"}]`;

@@ -74,14 +74,15 @@ const fields = {
 
   /** Buttons for tables that can be added. */
   adding() {
-    const count = (name) => new Set(Object.keys(this.written).flatMap((key) => key.match(new RegExp(`^${name.replace(".", "\\.")}\\[(\\d+)\\]`))?.[1] ?? [])).size;
-    const add = (name, first) => make("button", { type: "button", onclick: () => change(first(`${name}[${count(name)}]`, count(name) + 1)) }, `Add ${name === "gauges" ? "a gauge" : "a panel"}`);
-    const half = () => (section.body ? section.body.points.reduce((a, b) => (b[1] < a[1] ? b : a)) : [0, 0]);
+    const lowest = () => (section.body ? section.body.points.reduce((a, b) => (b[1] < a[1] ? b : a)) : [0, 0]);
+    const gauge = () => {
+      const count = new Set(Object.keys(this.written).flatMap((key) => key.match(/^gauges\[\d+\]/) ?? [])).size, at = `gauges[${count}]`;
+      change([{ key: `${at}.name`, value: `p${count + 1}` }, { key: `${at}.on`, value: "body" }, { key: `${at}.at`, value: `[${lowest().map(plain).join(", ")}]` }]);
+    };
     const tables = [...new Set([...this.keywords.keys()].map((key) => key.split(".")[0]).filter((name) => !name.endsWith("[]")))];
     const missing = tables.filter((name) => [...this.keywords.keys()].some((key) => key.startsWith(`${name}.`)) && !Object.keys(this.written).some((key) => key.startsWith(`${name}.`)));
-    const others = make("details", { class: "others_tables" }, make("summary", {}, "Other tables"), ...missing.filter((name) => name !== "body").map((name) => this.more(name, [])));
-    return make("div", {}, make("div", { class: "tools" },
-      add("gauges", (at, k) => [{ key: `${at}.name`, value: `p${k}` }, { key: `${at}.on`, value: "body" }, { key: `${at}.at`, value: `[${half().map(plain).join(", ")}]` }])), others);
+    const others = make("details", {}, make("summary", {}, "Other tables"), ...missing.filter((name) => name !== "body").map((name) => this.more(name, [])));
+    return make("div", {}, make("div", { class: "tools" }, make("button", { type: "button", onclick: gauge }, "Add a gauge")), others);
   },
 
   /** Hide what does not have the words of the search. */
@@ -103,19 +104,17 @@ const fields = {
     const described = { "aria-describedby": `${id}_error ${id}_help` };
 
     const build = (text, numbers) => {
-      inputs.replaceChildren();
-      field.inputs = [];
+      const only = (...nodes) => { inputs.replaceChildren(...nodes); field.inputs = nodes; };
+      only();
       const choices = word.takes === "true or false" ? ["true", "false"] : word.takes.includes(" | ") ? word.takes.split(" | ") : null;
       if (field.kind === "choice") {
         const select = make("select", { id: `${id}_0`, ...described, onchange: () => set(select.value) });
         if (absent) select.append(make("option", { value: "" }, `default: ${word.default}`));
         for (const choice of choices.includes(text) || absent ? choices : [text, ...choices]) select.append(make("option", {}, choice));
-        inputs.append(select);
-        field.inputs = [select];
+        only(select);
       } else if (field.kind === "long") {
         const area = make("textarea", { id: `${id}_0`, rows: 3, spellcheck: "false", ...described, onchange: () => set(area.value) });
-        inputs.append(area);
-        field.inputs = [area];
+        only(area);
       } else {
         (numbers || [null]).forEach((_, k) => {
           const label = numbers?.length > 1 ? `${key} ${"xyz"[k] || k + 1}` : null;
@@ -172,7 +171,6 @@ const fields = {
         if (own !== undefined && input !== document.activeElement && input.value !== own) input.value = own;
         if (absent && input.tagName === "INPUT") input.placeholder = fields.resolved[key] || word.default;
         if (input.slider && numbers?.[k] !== undefined && input.slider !== document.activeElement) span(input.slider, numbers[k]);
-        input.toggleAttribute("aria-invalid", false);
         if (wrong) input.setAttribute("aria-invalid", "true"); else input.removeAttribute("aria-invalid");
       });
       const message = wrong ? (wrong.expected ? `Expected ${wrong.expected}${wrong.given ? `; given ${wrong.given}` : ""}.` : wrong.message) : "";

@@ -44,7 +44,7 @@ const grid = {
     this.id = id;
     this.look(id);
   },
-  async stop() { if (this.id) await ask("/api/grid/stop", { id: this.id }); },
+  async stop() { if (this.id) await ask(`/api/grid/stop?id=${this.id}`, {}); },
 
   async look(id) {
     if (id !== this.id) return;

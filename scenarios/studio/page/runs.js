@@ -78,30 +78,17 @@ const runs = {
     const bar = make("progress", { max: 1, "aria-label": `Progress of ${run.name}` }), words = make("span", { class: "hint" });
     const stop = make("button", { onclick: async () => { stop.disabled = true; await ask(`/api/runs/${run.name}/stop`, {}); this.look(); } }, "Stop");
     line.append(make("b", {}, run.name), make("span", {}, `${run.model}: ${run.words}`), bar, words, stop);
-    const picture = make("img", { alt: `Pressure in the water, run ${run.name}`, hidden: true });
+    const picture = make("img", { alt: `Pressure in the water, run ${run.name}`, hidden: true, onload: () => { picture.hidden = false; } });
     node.append(picture);
     node.update = (now) => {
       bar.value = now.share || 0;
       const left = now.remaining == null ? "" : `, about ${duration(now.remaining)} to go`;
       words.textContent = now.state === "running" ? `${Math.round(100 * (now.share || 0))} %, ${digits(1e3 * now.time)} of ${digits(1e3 * now.end)} ms${left}` : "waits for the run before it";
-      if (now.state === "running" && now.particles && !node.loading) this.picture(run.name, node, picture);
+      if (now.state !== "running" || !now.particles || !picture.complete) return;
+      // an empty answer before the first frame, an error to the page
+      picture.src = address(`/api/runs/${run.name}/picture?at=${now.time}`);
     };
     return node;
-  },
-
-  async picture(name, node, picture) {
-    node.loading = true;
-    try {
-      const response = await fetch(`/api/runs/${name}/picture`, { headers: { "X-Splashdown-Token": token } });
-      const blob = await response.blob();
-      if (response.ok && blob.size && node.isConnected) {
-        const old = picture.src;
-        picture.src = URL.createObjectURL(blob);
-        picture.hidden = false;
-        if (old) URL.revokeObjectURL(old);
-      }
-    } catch { /* the next look tries again */ }
-    node.loading = false;
   },
 
   frame(title, path) {

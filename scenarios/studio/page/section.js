@@ -49,6 +49,11 @@ const section = {
     const a = (this.body.angle_deg * Math.PI) / 180, [dx, dy] = [x - this.body.position[0], y - this.body.position[1]];
     return [Math.cos(a) * dx + Math.sin(a) * dy, -Math.sin(a) * dx + Math.cos(a) * dy];
   },
+  /** The place under the pointer, in the body's frame. */
+  under(event, frame) {
+    const box = this.host.querySelector("svg").getBoundingClientRect(), scale = this.width / box.width;
+    return this.toBody(frame.from([(event.clientX - box.left) * scale, (event.clientY - box.top) * scale]));
+  },
 
   draw() {
     $("as_points").hidden = !this.body || !!this.points;
@@ -128,21 +133,17 @@ const section = {
     const frame = this.last;
     this.dragging = { k, frame };
     const moved = (now) => {
-      const box = this.host.querySelector("svg").getBoundingClientRect(), scale = this.width / box.width;
-      this.move(k, this.toBody(frame.from([(now.clientX - box.left) * scale, (now.clientY - box.top) * scale])));
-      this.draw();
-      this.commit();
+      this.move(k, this.under(now, frame));
+      this.changed();
     };
+    const listening = new AbortController(), until = { signal: listening.signal };
     const ended = () => {
-      window.removeEventListener("pointermove", moved);
-      window.removeEventListener("pointerup", ended);
-      window.removeEventListener("pointercancel", ended);
+      listening.abort();
       this.dragging = null;
       this.draw();
     };
-    window.addEventListener("pointermove", moved);
-    window.addEventListener("pointerup", ended);
-    window.addEventListener("pointercancel", ended);
+    window.addEventListener("pointermove", moved, until);
+    for (const name of ["pointerup", "pointercancel"]) window.addEventListener(name, ended, until);
   },
   key(event, k) {
     const step = (event.shiftKey ? 10 : 1) * 10 ** Math.floor(Math.log10(this.size() / 200));
@@ -152,8 +153,17 @@ const section = {
     else if (event.key === "Delete" || event.key === "Backspace") return event.preventDefault(), this.remove(k);
     else return;
     event.preventDefault();
+    this.changed();
+  },
+  /** Draw what was changed, and hand it to the scene. */
+  changed() {
     this.draw();
     this.commit();
+  },
+  /** The same where points came or went: the chosen one has the focus. */
+  changedCount() {
+    this.changed();
+    this.host.querySelector(`[data-point="${this.chosen}"]`)?.focus({ preventScroll: true });
   },
 
   /** Add a point midway between a point and the next, or at a place; and its image. */
@@ -166,13 +176,10 @@ const section = {
     if (image === k) rounded[0] = 0;
     this.points = this.points.flatMap((p, i) => (i === k ? [p, rounded] : i === image ? [p, [-rounded[0], rounded[1]]] : [p]));
     this.choose(this.points.indexOf(rounded));
-    this.draw();
-    this.commit();
-    this.host.querySelector(`[data-point="${this.chosen}"]`)?.focus({ preventScroll: true });
+    this.changedCount();
   },
   addAt(event) {
-    const box = event.target.ownerSVGElement.getBoundingClientRect(), scale = this.width / box.width;
-    const at = this.toBody(this.last.from([(event.clientX - box.left) * scale, (event.clientY - box.top) * scale]));
+    const at = this.under(event, this.last);
     const sides = this.points.map((_, k) => k).sort((a, b) => this.nearest(a, at).distance - this.nearest(b, at).distance);
     this.add(sides[0], at);
   },
@@ -182,9 +189,7 @@ const section = {
     if (this.points.length - gone.size < 3) return;
     this.points = this.points.filter((_, i) => !gone.has(i));
     this.chosen = Math.max(0, k - 1);
-    this.draw();
-    this.commit();
-    this.host.querySelector(`[data-point="${this.chosen}"]`)?.focus({ preventScroll: true });
+    this.changedCount();
   },
 
   /** Hand the points to the scene. */
@@ -225,11 +230,8 @@ function corners(points) {
   const every = Math.ceil(points.length / 48), lowest = points.reduce((low, p, k) => (p[1] < points[low][1] ? k : low), 0);
   const turn = ([x, y], a, b) => Math.abs(Math.atan2((x - a[0]) * (b[1] - y) - (y - a[1]) * (b[0] - x), (x - a[0]) * (b[0] - x) + (y - a[1]) * (b[1] - y)));
   const needed = points.filter((p, k) => (k - lowest) % every === 0 || turn(p, points.at(k - 1), points[(k + 1) % points.length]) > 0.3);
-  return straightened(needed);
-}
-function straightened(points) {
-  return points.filter(([x, y], k) => {
-    const [a, b] = [points.at(k - 1), points[(k + 1) % points.length]];
+  return needed.filter(([x, y], k) => {
+    const [a, b] = [needed.at(k - 1), needed[(k + 1) % needed.length]];
     return Math.abs((x - a[0]) * (b[1] - a[1]) - (y - a[1]) * (b[0] - a[0])) > 1e-9 * Math.hypot(b[0] - a[0], b[1] - a[1]) ** 2;
   });
 }
@@ -247,8 +249,7 @@ for (const [id, i] of [["point_x", 0], ["point_y", 1]]) {
     const at = [...section.points[section.chosen]];
     at[i] = value;
     section.move(section.chosen, at);
-    section.draw();
-    section.commit();
+    section.changed();
   });
 }
 $("import").addEventListener("change", async (event) => {

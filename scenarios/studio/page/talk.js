@@ -4,13 +4,8 @@ const $ = (id) => document.getElementById(id);
 
 /** The JSON of an address; a body makes it a POST. */
 async function ask(path, body, signal) {
-  const raw = body instanceof Blob;
-  const response = await fetch(path, {
-    method: body === undefined ? "GET" : "POST",
-    headers: { "X-Splashdown-Token": token, ...(body && !raw ? { "Content-Type": "application/json" } : {}) },
-    body: raw ? body : body === undefined ? undefined : JSON.stringify(body),
-    signal,
-  });
+  const method = body === undefined ? "GET" : "POST", sent = body instanceof Blob ? body : JSON.stringify(body);
+  const response = await fetch(path, { method, headers: { "X-Splashdown-Token": token }, body: sent, signal });
   if (!response.ok) throw new Error((await response.text()).trim());
   return response.json();
 }

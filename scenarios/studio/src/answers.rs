@@ -8,7 +8,7 @@ use report::run_page::quantity::with_unit;
 use report::run_page::two_digits;
 use run::RunOptions;
 use scene::vocabulary::{Quantity, ResultId, ResultName, Results, Verdict};
-use scene::{EntryModel, SceneError};
+use scene::{EntryModel, Loaded, SceneError};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
@@ -26,8 +26,11 @@ pub fn of_formulas(folder: &Path, text: &str) -> Vec<Value> {
     let formulas: Vec<EntryModel> = EntryModel::ALL.into_iter().filter(|model| model.is_formula()).collect();
     thread::scope(|scope| {
         let asked: Vec<_> = formulas.iter().map(|model| scope.spawn(move || of_theory(folder, text, *model))).collect();
-        let answers = asked.into_iter().zip(&formulas);
-        answers.map(|(asked, model)| asked.join().unwrap_or_else(|_| none(model.name(), "it broke down"))).collect()
+        let answers = asked.into_iter().zip(&formulas).map(|(asked, model)| match asked.join() {
+            Ok(Ok(answer) | Err(answer)) => answer,
+            Err(_) => none(model.name(), "it broke down"),
+        });
+        answers.collect()
     })
 }
 
@@ -53,22 +56,22 @@ pub fn with_model(text: &str, model: &str) -> Result<String, EditError> {
     apply(text, &[Edit::remove("solver"), Edit::remove("want"), Edit::remove("within"), Edit::set("model", model)])
 }
 
+/// The scene of a text with another model.
+///
+/// # Errors
+/// The answer of a model that does not follow it.
+pub fn loaded_with(folder: &Path, text: &str, model: EntryModel) -> Result<Loaded, Value> {
+    let text = with_model(text, model.name()).map_err(|error| none(model.name(), &error.why))?;
+    load(folder, &text, &[]).map_err(|error| refused(model.name(), &error))
+}
+
 /// The answer of a theory, computed here.
-fn of_theory(folder: &Path, text: &str, model: EntryModel) -> Value {
-    let name = model.name();
-    let loaded = match with_model(text, name).map(|text| load(folder, &text, &[])) {
-        Err(error) => return none(name, &error.why),
-        Ok(Err(error)) => return refused(name, &error),
-        Ok(Ok(loaded)) => loaded,
-    };
+fn of_theory(folder: &Path, text: &str, model: EntryModel) -> Result<Value, Value> {
+    let loaded = loaded_with(folder, text, model)?;
     let options = RunOptions { without_log: true, ..RunOptions::default() };
-    match run::run(&loaded.scene, &options) {
-        Err(error) => none(name, &error.to_string()),
-        Ok(outcome) => {
-            let summary = serde_json::to_value(&outcome.summary).unwrap_or_default();
-            answer(&summary, outcome.series.columns(), outcome.series.rows())
-        }
-    }
+    let outcome = run::run(&loaded.scene, &options).map_err(|error| none(model.name(), &error.to_string()))?;
+    let summary = serde_json::to_value(&outcome.summary).unwrap_or_default();
+    Ok(answer(&summary, outcome.series.columns(), outcome.series.rows()))
 }
 
 /// A model that does not answer, and why.
@@ -117,13 +120,11 @@ fn answer(summary: &Value, columns: &[String], rows: &[Vec<f64>]) -> Value {
         "model": model,
         "title": title(model),
         "ok": true,
-        "status": summary["status"],
         "time": finite(0),
         "curves": CURVES.iter().filter_map(curve).collect::<Vec<_>>(),
         "results": results.named().map(|(id, quantity)| result(&id, quantity)).collect::<Vec<_>>(),
         "quote": quote(model, &results),
         "doubts": summary["doubts"],
-        "seconds": summary["wall_time_s"],
     })
 }
 
@@ -138,8 +139,6 @@ pub fn result(id: &ResultId, quantity: &Quantity) -> Value {
         "share": quantity.share(),
         "verdict": quantity.verdict.name(),
         "verdict_words": quantity.verdict.words(),
-        "allowed": quantity.allowed,
-        "time_s": quantity.time_s,
         "text": number(quantity, id.name.si()),
     })
 }
@@ -155,12 +154,10 @@ fn number(quantity: &Quantity, si: &str) -> String {
 fn quote(model: &str, results: &Results) -> Value {
     let Some(force) = results.get(ResultName::PeakForce) else { return Value::Null };
     let time = force.time_s.map_or(String::new(), |time| format!(", {} after the start", with_unit(time, "s")));
-    let others = [ResultName::PeakAcceleration, ResultName::Impulse].into_iter().filter_map(|name| {
-        let id = ResultId { panel: None, name };
-        Some(format!("{}: {}", id.title(), number(&results.get(name)?, name.si())))
-    });
-    let panels = results.named().filter(|(id, _)| id.panel.is_some());
-    let panels = panels.map(|(id, quantity)| format!("{}: {}", id.title(), number(quantity, id.name.si())));
+    let also =
+        |id: &ResultId| id.panel.is_some() || [ResultName::PeakAcceleration, ResultName::Impulse].contains(&id.name);
+    let others = results.named().filter(|(id, _)| also(id));
+    let others = others.map(|(id, quantity)| format!("{}: {}", id.title(), number(quantity, id.name.si())));
     json!({
         "value": force.shown(),
         "share": force.share(),
@@ -168,7 +165,7 @@ fn quote(model: &str, results: &Results) -> Value {
         "number": number(&force, "N/m"),
         "by": format!("per metre of span, by {}{time}", title(model)),
         "verdict_in_words": verdict(&force),
-        "others": others.chain(panels).collect::<Vec<_>>(),
+        "others": others.collect::<Vec<_>>(),
     })
 }
 

@@ -73,7 +73,11 @@ fn change(item: &mut Item, steps: &[Segment<'_>], value: Option<Value>) -> Resul
         ([Segment::Key(key)], None) => {
             item.as_table_like_mut().ok_or("expected a table")?.remove(key);
         }
-        ([Segment::Index(index)], None) => remove_item(item, *index)?,
+        ([Segment::Index(index)], None) => match item {
+            Item::ArrayOfTables(tables) if *index < tables.len() => drop(tables.remove(*index)),
+            Item::Value(Value::Array(items)) if *index < items.len() => drop(items.remove(*index)),
+            _ => return Err(format!("there is no item {index}")),
+        },
         ([Segment::Key(key), rest @ ..], value) => {
             let inline = item.is_value();
             let table = item.as_table_like_mut().ok_or_else(|| format!("expected a table with {key}"))?;
@@ -121,15 +125,6 @@ fn put(item: &mut Item, mut value: Value) {
         value.decor_mut().clear();
     }
     *item = Item::Value(value);
-}
-
-fn remove_item(item: &mut Item, index: usize) -> Result<(), String> {
-    match item {
-        Item::ArrayOfTables(tables) if index < tables.len() => drop(tables.remove(index)),
-        Item::Value(Value::Array(items)) if index < items.len() => drop(items.remove(index)),
-        _ => return Err(format!("there is no item {index}")),
-    }
-    Ok(())
 }
 
 /// The keys of a text with their values as written, strings without quotes; `None` where it is no TOML.

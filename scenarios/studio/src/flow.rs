@@ -4,17 +4,17 @@ use std::collections::HashMap;
 use std::ffi::OsString;
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
+use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Mutex, PoisonError};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
 use scene::EntryModel;
 use serde_json::{Value, json};
 
-use crate::answers::{none, of_folder, refused, with_model};
+use crate::answers::{loaded_with, none, of_folder};
 use crate::edit::{Edit, apply};
-use crate::scene_view::load;
+use crate::held::held;
 use crate::scratch::Scratch;
 
 /// Longest time of a flow.
@@ -41,14 +41,14 @@ impl Drop for Ended {
 impl Flows {
     /// End the process of a page, and count its next request.
     fn next(&self, page: &str) -> u64 {
-        let mut newest = self.newest.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut newest = held(&self.newest);
         let count = newest.entry(page.to_string()).or_default();
         *count += 1;
         *count
     }
 
     fn is_newest(&self, page: &str, count: u64) -> bool {
-        let newest = self.newest.lock().unwrap_or_else(PoisonError::into_inner).get(page) == Some(&count);
+        let newest = held(&self.newest).get(page) == Some(&count);
         newest && !self.ended.load(Ordering::Relaxed)
     }
 
@@ -58,44 +58,41 @@ impl Flows {
     }
 
     /// The flow about the section of a scene; a later request of the same page ends it.
-    pub fn answer(&self, program: &[OsString], folder: &Path, text: &str, page: &str) -> Value {
-        let (count, name) = (self.next(page), EntryModel::BoundaryElement.name());
-        let without_references = with_model(text, name).and_then(|text| apply(&text, &[Edit::remove("compare")]));
-        let scene = match without_references.map(|text| load(folder, &text, &[])) {
-            Err(error) => return none(name, &error.why),
-            Ok(Err(error)) => return refused(name, &error),
-            Ok(Ok(loaded)) => loaded.scene.to_toml(),
-        };
-        match self.followed(program, &scene, || self.is_newest(page, count)) {
-            Ok(Some(answer)) => answer,
-            Ok(None) => json!({"model": name, "stale": true}),
-            Err(why) => none(name, &why),
-        }
+    ///
+    /// # Errors
+    /// The answer that says why there is none.
+    pub fn answer(&self, program: &[OsString], folder: &Path, text: &str, page: &str) -> Result<Value, Value> {
+        let (count, model) = (self.next(page), EntryModel::BoundaryElement);
+        let refuse = |why: String| none(model.name(), &why);
+        let without_references = apply(text, &[Edit::remove("compare")]).map_err(|error| refuse(error.why))?;
+        let scene = loaded_with(folder, &without_references, model)?.scene.to_toml();
+        let answer = followed(program, &scene, || self.is_newest(page, count)).map_err(refuse)?;
+        Ok(answer.unwrap_or_else(|| json!({"model": model.name(), "stale": true})))
     }
+}
 
-    /// The answer of a process; `None` where it was ended because it is not wanted.
-    fn followed(&self, program: &[OsString], scene: &str, wanted: impl Fn() -> bool) -> Result<Option<Value>, String> {
-        let scratch = Scratch::new()?;
-        let [file, out, errors] = ["scene.toml", "run", "errors"].map(|name| scratch.0.join(name));
-        std::fs::write(&file, scene).map_err(|cause| cause.to_string())?;
-        let said = std::fs::File::create(&errors).map_err(|cause| cause.to_string())?;
-        let [first, rest @ ..] = program else { return Err("expected the path of this program".into()) };
-        let mut command = Command::new(first);
-        command.args(rest).arg("run").arg(&file).arg("--out").arg(&out).arg("--quiet");
-        command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(said);
-        let mut process = Ended(command.spawn().map_err(|cause| format!("cannot start a process: {cause}"))?);
-        let start = Instant::now();
-        loop {
-            match process.0.try_wait() {
-                Ok(Some(status)) if status.success() => return of_folder(&out).map(Some),
-                Ok(Some(_)) => return Err(std::fs::read_to_string(&errors).unwrap_or_default().trim().to_string()),
-                Ok(None) if !wanted() => return Ok(None),
-                Ok(None) if start.elapsed() > LONGEST => {
-                    return Err(format!("not done within {} s", LONGEST.as_secs()));
-                }
-                Ok(None) => sleep(PAUSE),
-                Err(cause) => return Err(cause.to_string()),
+/// The answer of a process; `None` where it was ended because it is not wanted.
+fn followed(program: &[OsString], scene: &str, wanted: impl Fn() -> bool) -> Result<Option<Value>, String> {
+    let scratch = Scratch::new()?;
+    let [file, out, errors] = ["scene.toml", "run", "errors"].map(|name| scratch.0.join(name));
+    std::fs::write(&file, scene).map_err(|cause| cause.to_string())?;
+    let said = std::fs::File::create(&errors).map_err(|cause| cause.to_string())?;
+    let [first, rest @ ..] = program else { return Err("expected the path of this program".into()) };
+    let mut command = Command::new(first);
+    command.args(rest).arg("run").arg(&file).arg("--out").arg(&out).arg("--quiet");
+    command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(said);
+    let mut process = Ended(command.spawn().map_err(|cause| format!("cannot start a process: {cause}"))?);
+    let start = Instant::now();
+    loop {
+        match process.0.try_wait() {
+            Ok(Some(status)) if status.success() => return of_folder(&out).map(Some),
+            Ok(Some(_)) => return Err(std::fs::read_to_string(&errors).unwrap_or_default().trim().to_string()),
+            Ok(None) if !wanted() => return Ok(None),
+            Ok(None) if start.elapsed() > LONGEST => {
+                return Err(format!("not done within {} s", LONGEST.as_secs()));
             }
+            Ok(None) => sleep(PAUSE),
+            Err(cause) => return Err(cause.to_string()),
         }
     }
 }

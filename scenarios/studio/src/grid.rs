@@ -3,15 +3,16 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex};
 use std::thread;
 
 use run::RunOptions;
-use scene::EntryModel;
+use scene::{EntryModel, SceneError};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
 use crate::answers::{refused, result, with_model};
+use crate::held::held;
 use crate::scene_view::load;
 
 /// Most points of a grid, and most grids that are kept.
@@ -29,10 +30,7 @@ pub struct Range {
 
 impl Range {
     fn value(&self, k: usize) -> f64 {
-        match self.count {
-            1 => self.from,
-            count => self.from + (self.to - self.from) * k as f64 / (count - 1) as f64,
-        }
+        self.from + (self.to - self.from) * k as f64 / (self.count.max(2) - 1) as f64
     }
 }
 
@@ -46,13 +44,10 @@ pub struct Asked {
 
 /// A grid that is being computed.
 struct Grid {
-    text: String,
-    model: EntryModel,
-    ranges: Vec<Range>,
+    asked: Asked,
     folder: PathBuf,
     points: Mutex<Vec<Value>>,
     next: AtomicUsize,
-    done: AtomicUsize,
     stop: AtomicBool,
 }
 
@@ -63,38 +58,31 @@ pub struct Grids {
 }
 
 impl Grids {
-    /// Begin a grid: its number, or why it is refused.
-    pub fn start(&self, folder: &Path, asked: Asked) -> Value {
-        let refuse = |why: String| json!({"id": null, "error": why});
-        let model = EntryModel::ALL.into_iter().find(|model| model.name() == asked.model && model.is_theory());
-        let Some(model) = model else {
-            return refuse(format!("{}: expected a theory, or boundary_element", asked.model));
-        };
+    /// Begin a grid: its number.
+    ///
+    /// # Errors
+    /// Why it is refused.
+    pub fn start(&self, folder: &Path, mut asked: Asked) -> Result<u64, String> {
+        if !EntryModel::ALL.into_iter().any(|model| model.name() == asked.model && model.is_theory()) {
+            return Err(format!("{}: expected a theory, or boundary_element", asked.model));
+        }
         if !(1..=2).contains(&asked.ranges.len()) {
-            return refuse("expected one or two ranges".into());
+            return Err("expected one or two ranges".into());
         }
         let count = asked.ranges.iter().map(|range| range.count).try_fold(1usize, usize::checked_mul);
         let finite = asked.ranges.iter().all(|range| range.from.is_finite() && range.to.is_finite());
-        let Some(count) = count.filter(|count| finite && (1..=MOST_POINTS).contains(count)) else {
-            return refuse(format!(
-                "expected ranges of 1 to {MOST_POINTS} points together, with numbers at their ends"
-            ));
-        };
-        let text = match with_model(&asked.text, model.name()) {
-            Ok(text) => text,
-            Err(error) => return refuse(error.to_string()),
-        };
+        let count = count.filter(|count| finite && (1..=MOST_POINTS).contains(count));
+        let expected = || format!("expected ranges of 1 to {MOST_POINTS} points together, with numbers at their ends");
+        let count = count.ok_or_else(expected)?;
+        asked.text = with_model(&asked.text, &asked.model).map_err(|error| error.to_string())?;
         let grid = Arc::new(Grid {
-            text,
-            model,
-            ranges: asked.ranges,
+            asked,
             folder: folder.to_path_buf(),
             points: Mutex::new(vec![Value::Null; count]),
             next: AtomicUsize::new(0),
-            done: AtomicUsize::new(0),
             stop: AtomicBool::new(false),
         });
-        let mut kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut kept = held(&self.kept);
         let id = kept.last_key_value().map_or(1, |(last, _)| last + 1);
         if kept.len() >= MOST_KEPT
             && let Some((_, oldest)) = kept.pop_first()
@@ -107,22 +95,22 @@ impl Grids {
             let grid = Arc::clone(&grid);
             thread::spawn(move || grid.work());
         }
-        json!({"id": id, "error": null})
+        Ok(id)
     }
 
     fn grid(&self, id: u64) -> Option<Arc<Grid>> {
-        self.kept.lock().unwrap_or_else(PoisonError::into_inner).get(&id).map(Arc::clone)
+        held(&self.kept).get(&id).map(Arc::clone)
     }
 
     /// How far a grid is, and the results of its points.
     pub fn progress(&self, id: u64) -> Option<Value> {
         let grid = self.grid(id)?;
-        let points = grid.points.lock().unwrap_or_else(PoisonError::into_inner);
+        let points = held(&grid.points);
         let values = |range: &Range| (0..range.count).map(|k| range.value(k)).collect::<Vec<_>>();
         Some(json!({
-            "done": grid.done.load(Ordering::Relaxed),
+            "done": points.iter().filter(|point| !point.is_null()).count(),
             "stopped": grid.stop.load(Ordering::Relaxed),
-            "ranges": grid.ranges.iter().map(|range| json!({"key": range.key, "values": values(range)})).collect::<Vec<_>>(),
+            "ranges": grid.asked.ranges.iter().map(|range| json!({"key": range.key, "values": values(range)})).collect::<Vec<_>>(),
             "points": *points,
         }))
     }
@@ -134,7 +122,7 @@ impl Grids {
 
     /// Stop all.
     pub fn end(&self) {
-        let kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
+        let kept = held(&self.kept);
         kept.values().for_each(|grid| grid.stop.store(true, Ordering::Relaxed));
     }
 }
@@ -143,34 +131,28 @@ impl Grid {
     fn work(&self) {
         while !self.stop.load(Ordering::Relaxed) {
             let k = self.next.fetch_add(1, Ordering::Relaxed);
-            let count = self.points.lock().unwrap_or_else(PoisonError::into_inner).len();
+            let count = held(&self.points).len();
             if k >= count {
                 return;
             }
-            let point = self.point(k);
-            self.points.lock().unwrap_or_else(PoisonError::into_inner)[k] = point;
-            self.done.fetch_add(1, Ordering::Relaxed);
+            let (Ok(point) | Err(point)) = self.point(k);
+            held(&self.points)[k] = point;
         }
     }
 
-    /// The results at a point; the last range changes fastest.
-    fn point(&self, k: usize) -> Value {
+    /// The results at a point, or why there are none; the last range changes fastest.
+    fn point(&self, k: usize) -> Result<Value, Value> {
         let (mut rest, mut sets) = (k, Vec::new());
-        for range in self.ranges.iter().rev() {
+        for range in self.asked.ranges.iter().rev() {
             sets.insert(0, set(&range.key, range.value(rest % range.count)));
             rest /= range.count;
         }
-        let loaded = match load(&self.folder, &self.text, &sets) {
-            Ok(loaded) => loaded,
-            Err(error) => return json!({"why": refused(self.model.name(), &error)["why"]}),
-        };
-        match run::run(&loaded.scene, &RunOptions { without_log: true, ..RunOptions::default() }) {
-            Err(error) => json!({"why": error.to_string()}),
-            Ok(outcome) => {
-                let results = outcome.summary.results.named().map(|(id, quantity)| result(&id, quantity));
-                json!({"results": results.collect::<Vec<_>>()})
-            }
-        }
+        let why = |error: &SceneError| json!({"why": refused(&self.asked.model, error)["why"]});
+        let loaded = load(&self.folder, &self.asked.text, &sets).map_err(|error| why(&error))?;
+        let options = RunOptions { without_log: true, ..RunOptions::default() };
+        let outcome = run::run(&loaded.scene, &options).map_err(|error| json!({"why": error.to_string()}))?;
+        let results = outcome.summary.results.named().map(|(id, quantity)| result(&id, quantity));
+        Ok(json!({"results": results.collect::<Vec<_>>()}))
     }
 }
 

@@ -1,6 +1,11 @@
 //! Who may ask: the page that this process serves, with the token of its address.
 
-use crate::http::{Head, Refusal};
+use std::borrow::Cow;
+
+use oxhttp::model::StatusCode;
+use oxhttp::model::request::Parts;
+
+use crate::http::{Refusal, query};
 
 /// Letters of a token: 128 bits in hexadecimal digits.
 const TOKEN: usize = 32;
@@ -8,7 +13,8 @@ const TOKEN: usize = 32;
 /// What a request must have.
 #[derive(Clone, Debug)]
 pub struct Guard {
-    token: String,
+    /// What the page's address has.
+    pub token: String,
     hosts: [String; 2],
 }
 
@@ -22,11 +28,6 @@ impl Guard {
         Ok(Guard { token, hosts: [format!("127.0.0.1:{port}"), format!("localhost:{port}")] })
     }
 
-    /// The token.
-    pub fn token(&self) -> &str {
-        &self.token
-    }
-
     /// The address of the page.
     pub fn address(&self) -> String {
         format!("http://{}/?token={}", self.hosts[0], self.token)
@@ -36,19 +37,21 @@ impl Guard {
     ///
     /// # Errors
     /// Another host or origin, or no token.
-    pub fn admit(&self, head: &Head) -> Result<(), Refusal> {
-        let Some(host) = head.header("host").filter(|host| self.hosts.iter().any(|own| own == host)) else {
-            return Err(Refusal::new(403, format!("expected the host {}", self.hosts[0])));
+    pub fn admit(&self, head: &Parts) -> Result<(), Refusal> {
+        let value = |name: &str| head.headers.get(name).map(|value| value.to_str().unwrap_or_default());
+        let refuse = |why: &str| Err(Refusal::new(StatusCode::FORBIDDEN, why));
+        let Some(host) = value("host").filter(|host| self.hosts.iter().any(|own| own == host)) else {
+            return refuse(&format!("expected the host {}", self.hosts[0]));
         };
-        if head.header("origin").is_some_and(|origin| origin != format!("http://{host}")) {
-            return Err(Refusal::new(403, "a page of another origin may not ask"));
+        if value("origin").is_some_and(|origin| origin != format!("http://{host}")) {
+            return refuse("a page of another origin may not ask");
         }
-        if head.header("sec-fetch-site").is_some_and(|site| !matches!(site, "same-origin" | "none")) {
-            return Err(Refusal::new(403, "a page of another site may not ask"));
+        if value("sec-fetch-site").is_some_and(|site| !matches!(site, "same-origin" | "none")) {
+            return refuse("a page of another site may not ask");
         }
-        let given = head.header("x-splashdown-token").or_else(|| head.query("token").next()).unwrap_or_default();
-        if !same(given, &self.token) {
-            return Err(Refusal::new(403, "expected the token: open the address that `splashdown studio` printed"));
+        let given = value("x-splashdown-token").map(Cow::from).or_else(|| query(head, "token").next());
+        if !same(&given.unwrap_or_default(), &self.token) {
+            return refuse("expected the token: open the address that `splashdown studio` printed");
         }
         Ok(())
     }

@@ -9,8 +9,8 @@ mod edit;
 mod flow;
 mod grid;
 mod guard;
+mod held;
 mod http;
-mod options;
 mod outline;
 mod page;
 mod picture;
@@ -20,28 +20,30 @@ mod scene_view;
 mod scratch;
 mod shared;
 
-use std::net::{Ipv4Addr, TcpListener, TcpStream};
+use std::mem::take;
+use std::net::{Ipv4Addr, TcpListener};
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
 
 use flow::Flows;
 use grid::Grids;
 use guard::Guard;
-use http::{Answer, Refusal, read_body, read_head};
-pub use options::Options;
+use oxhttp::Server;
+use oxhttp::model::{Body, HeaderValue, Request, Response, header};
 use runs::Runs;
+pub use shared::Options;
 use shared::Shared;
 
-/// Requests that are answered at the same time, at most.
-const MOST_REQUESTS: usize = 64;
+/// Connections at the same time, at most: a thread each. Further ones wait.
+const MOST_CONNECTIONS: usize = 256;
 /// Longest wait for a piece of a request.
 const PATIENCE: Duration = Duration::from_secs(10);
 /// Longest wait for requests that are being answered at the end.
 const LAST_ANSWERS: Duration = Duration::from_secs(2);
-/// Pause between two looks for a request.
-const PAUSE: Duration = Duration::from_millis(5);
+/// Pause between two looks for the end.
+const PAUSE: Duration = Duration::from_millis(20);
 
 /// Why a studio cannot be opened.
 #[derive(Debug, thiserror::Error)]
@@ -54,27 +56,30 @@ pub enum StudioError {
     Random(getrandom::Error),
 }
 
-/// A server of the page.
+/// A server of the page, until the process ends.
 pub struct Studio {
-    listener: TcpListener,
     shared: Arc<Shared>,
 }
 
 impl Studio {
-    /// Listen on the loopback address.
+    /// Listen on the loopback address, and answer requests.
     ///
     /// # Errors
     /// The port cannot be had, or there are no random numbers.
     pub fn open(options: Options) -> Result<Studio, StudioError> {
-        let port = options.port;
-        let wrong = |cause| StudioError::Port(port, cause);
-        let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, port)).map_err(wrong)?;
-        listener.set_nonblocking(true).map_err(wrong)?;
-        let own = listener.local_addr().map_err(wrong)?.port();
-        let guard = Guard::new(own).map_err(StudioError::Random)?;
+        let wrong = |cause| StudioError::Port(options.port, cause);
+        // the server does not say which port the system chose for it: a free one is looked for here, and left to it
+        let free = TcpListener::bind((Ipv4Addr::LOCALHOST, options.port)).and_then(|listener| listener.local_addr());
+        let own = free.map_err(wrong)?;
+        let guard = Guard::new(own.port()).map_err(StudioError::Random)?;
         let (runs, flows, grids) = (Runs::new(&options.folder), Flows::default(), Grids::default());
-        let shared = Shared { guard, options, runs, flows, grids };
-        Ok(Studio { listener, shared: Arc::new(shared) })
+        let shared = Arc::new(Shared { guard, options, runs, flows, grids });
+        let of_server = Arc::clone(&shared);
+        // each request that is being answered holds the shared parts once more
+        let server = Server::new(move |request| answer(&Arc::clone(&of_server), request)).bind(own);
+        let server = server.with_global_timeout(PATIENCE).with_max_concurrent_connections(MOST_CONNECTIONS);
+        server.spawn().map_err(|cause| StudioError::Port(own.port(), cause))?;
+        Ok(Studio { shared })
     }
 
     /// The address of the page, with its token.
@@ -82,63 +87,35 @@ impl Studio {
         self.shared.guard.address()
     }
 
-    /// Answer requests until `stop` is set; the run that goes on is then stopped and kept.
+    /// Run what the page asks for until `stop` is set; the run that goes on is then stopped and kept.
     pub fn serve(&self, stop: &AtomicBool) {
-        let worker = {
-            let shared = Arc::clone(&self.shared);
-            thread::spawn(move || shared.runs.work())
-        };
-        let open = Arc::new(AtomicUsize::new(0));
-        while !stop.load(Ordering::Relaxed) {
-            let Ok((mut stream, _)) = self.listener.accept() else {
+        thread::scope(|scope| {
+            let worker = scope.spawn(|| self.shared.runs.work());
+            while !stop.load(Ordering::Relaxed) {
                 thread::sleep(PAUSE);
-                continue;
-            };
-            let (shared, open) = (Arc::clone(&self.shared), Arc::clone(&open));
-            if open.load(Ordering::Relaxed) >= MOST_REQUESTS {
-                Answer::from(Refusal::new(503, "too many requests at the same time")).send(&mut stream);
-                continue;
             }
-            open.fetch_add(1, Ordering::Relaxed);
-            thread::spawn(move || {
-                let _open = Open(open);
-                answer(&shared, &mut stream);
-            });
-        }
-        self.shared.flows.end();
-        self.shared.grids.end();
-        self.shared.runs.end();
-        // a worker that broke down has nothing to keep
-        let _ = worker.join();
+            self.shared.flows.end();
+            self.shared.grids.end();
+            self.shared.runs.end();
+            // a worker that broke down has nothing to keep
+            let _ = worker.join();
+        });
         let start = Instant::now();
-        while open.load(Ordering::Relaxed) > 0 && start.elapsed() < LAST_ANSWERS {
+        loop {
+            // what is answered is sent meanwhile
             thread::sleep(PAUSE);
+            // without a request, the studio and its server hold the shared parts
+            if Arc::strong_count(&self.shared) <= 2 || start.elapsed() > LAST_ANSWERS {
+                return;
+            }
         }
     }
 }
 
-/// Counts a request until it is answered, or its thread breaks down.
-struct Open(Arc<AtomicUsize>);
-
-impl Drop for Open {
-    fn drop(&mut self) {
-        self.0.fetch_sub(1, Ordering::Relaxed);
-    }
-}
-
-fn answer(shared: &Shared, stream: &mut TcpStream) {
-    let ready = stream.set_nonblocking(false).and_then(|()| stream.set_read_timeout(Some(PATIENCE)));
-    if ready.and_then(|()| stream.set_write_timeout(Some(PATIENCE))).is_err() {
-        return;
-    }
-    let answer = match read_head(stream) {
-        Ok(None) => return,
-        Ok(Some(head)) => shared
-            .guard
-            .admit(&head)
-            .and_then(|()| read_body(&head, stream))
-            .and_then(|body| routes::answer(shared, &head, &body)),
-        Err(refusal) => Err(refusal),
-    };
-    answer.unwrap_or_else(Answer::from).send(stream);
+fn answer(shared: &Shared, request: &mut Request<Body>) -> Response<Body> {
+    let (head, body) = take(request).into_parts();
+    // what is left of a refused body is not read, and idle connections hold no thread
+    request.headers_mut().insert(header::CONNECTION, HeaderValue::from_static("close"));
+    let body = shared.guard.admit(&head).and_then(|()| http::read(body));
+    body.and_then(|body| routes::answer(shared, &head, &body)).unwrap_or_else(Response::from)
 }

@@ -8,8 +8,6 @@ use crate::scratch::Scratch;
 
 /// Endings of files with points.
 const ENDINGS: [&str; 5] = ["csv", "txt", "dat", "dxf", "svg"];
-/// Name of the file beside a scene that is not there.
-const NAME: &str = "outline";
 
 /// The points of a file, or what is wrong with it.
 pub fn read(name: &str, unit: Option<&str>, content: &[u8]) -> Value {
@@ -39,7 +37,7 @@ fn points(name: &str, unit: Option<&str>, content: &[u8]) -> Result<Vec<[f64; 2]
     if !ENDINGS.contains(&ending.as_str()) {
         return Err(format!("{name}: expected a file that ends in .{}", ENDINGS.join(", .")));
     }
-    let (scratch, file) = (Scratch::new()?, format!("{NAME}.{ending}"));
+    let (scratch, file) = (Scratch::new()?, format!("outline.{ending}"));
     std::fs::write(scratch.0.join(&file), content).map_err(|cause| cause.to_string())?;
     let unit = unit.filter(|unit| !unit.is_empty()).map(Value::from);
     let asked = unit.as_ref().map(|unit| ("body.outline_unit", unit));

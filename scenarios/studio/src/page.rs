@@ -1,8 +1,9 @@
 //! The page: files of the folder `page`, in the program itself.
 
 /// Stands for the token in the page's addresses.
-const TOKEN: &str = "{{token}}";
-const PAGE: &str = include_str!("../page/index.html");
+pub const TOKEN: &str = "{{token}}";
+/// The page.
+pub const PAGE: &str = include_str!("../page/index.html");
 /// Styles of the page.
 pub const STYLE: &str = include_str!("../page/studio.css");
 /// Scripts of the page, one after the other.
@@ -16,8 +17,3 @@ pub const SCRIPT: &str = concat!(
     include_str!("../page/grid.js"),
     include_str!("../page/main.js"),
 );
-
-/// The page, whose addresses have the token.
-pub fn page(token: &str) -> String {
-    PAGE.replace(TOKEN, token)
-}

@@ -1,12 +1,13 @@
 //! A live picture of a run: the newest frame, drawn when the page asks.
 
-use std::sync::atomic::{AtomicU64, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
 use report::{FlowFrame, FlowView, flow_png};
 use run::log::{Frame, LogError, LoggedFrame, Viewers};
 use scene::Scene;
+
+use crate::held::held;
 
 /// Shortest time between two frames.
 const INTERVAL: Duration = Duration::from_millis(200);
@@ -23,29 +24,21 @@ const COVERED: f64 = 0.995;
 #[derive(Default)]
 pub struct LiveFrame {
     frame: Mutex<Option<LoggedFrame>>,
-    /// When a page asked last [ms since `born`], plus 1.
-    asked: AtomicU64,
+    /// When a page asked last.
+    asked: Mutex<Option<Instant>>,
 }
 
 /// Takes the frames of a run.
 pub struct Watcher {
-    live: Arc<LiveFrame>,
-    born: Instant,
-    taken: Option<Instant>,
-}
-
-impl Watcher {
-    /// For the page that asks by `live`.
-    pub fn new(live: &Arc<LiveFrame>, born: Instant) -> Watcher {
-        Watcher { live: Arc::clone(live), born, taken: None }
-    }
+    /// Where the page finds them.
+    pub live: Arc<LiveFrame>,
+    /// When the newest was taken.
+    pub taken: Option<Instant>,
 }
 
 impl Viewers for Watcher {
     fn is_due(&self) -> bool {
-        let asked = self.live.asked.load(Ordering::Relaxed);
-        let since = (self.born.elapsed().as_millis() as u64 + 1).saturating_sub(asked);
-        let watched = asked > 0 && u128::from(since) < WATCHED.as_millis();
+        let watched = held(&self.live.asked).is_some_and(|asked| asked.elapsed() < WATCHED);
         watched && self.taken.is_none_or(|taken| taken.elapsed() >= INTERVAL)
     }
 
@@ -55,15 +48,15 @@ impl Viewers for Watcher {
 
     fn frame(&mut self, frame: &Frame) {
         self.taken = Some(Instant::now());
-        *self.live.frame.lock().unwrap_or_else(PoisonError::into_inner) = Some(LoggedFrame::of(frame));
+        *held(&self.live.frame) = Some(LoggedFrame::of(frame));
     }
 }
 
 impl LiveFrame {
     /// The newest frame as PNG; `None` before the first.
-    pub fn png(&self, scene: &Scene, born: Instant) -> Option<Vec<u8>> {
-        self.asked.store(born.elapsed().as_millis() as u64 + 1, Ordering::Relaxed);
-        let guard = self.frame.lock().unwrap_or_else(PoisonError::into_inner);
+    pub fn png(&self, scene: &Scene) -> Option<Vec<u8>> {
+        *held(&self.asked) = Some(Instant::now());
+        let guard = held(&self.frame);
         let logged = guard.as_ref()?;
         let mut frame = FlowFrame { time: logged.time, wall_size: scene.resolution.spacing, ..FlowFrame::default() };
         for point in logged.fluid() {
@@ -76,10 +69,10 @@ impl LiveFrame {
         frame.walls = logged.walls().map(|point| point.at).collect();
         drop(guard);
         let mut pressures = frame.value.clone();
-        let last = pressures.len().saturating_sub(1);
+        let place = (COVERED * pressures.len().saturating_sub(1) as f64) as usize;
         let top = match pressures.is_empty() {
             true => 1.0,
-            false => f64::from(*pressures.select_nth_unstable_by((COVERED * last as f64) as usize, f32::total_cmp).1),
+            false => f64::from(*pressures.select_nth_unstable_by(place, f32::total_cmp).1),
         };
         let [x, y] = window(scene, &frame.outlines);
         let view = FlowView {
@@ -97,11 +90,10 @@ impl LiveFrame {
 /// The part of the tank that is shown: about the bodies, else all [m].
 fn window(scene: &Scene, outlines: &[Vec<[f64; 2]>]) -> [[f64; 2]; 2] {
     let tank = &scene.tank;
-    let moving = scene.all_bodies().next().is_some();
     let all = || outlines.iter().flatten().filter(|point| point[0].is_finite() && point[1].is_finite());
     let [low, high] =
         [f64::min as fn(f64, f64) -> f64, f64::max].map(|of| all().map(|p| p[0]).reduce(of).unwrap_or_default());
-    if !moving || high <= low {
+    if scene.all_bodies().next().is_none() || high <= low {
         return [[-0.5 * tank.width, 0.5 * tank.width], [-tank.depth, tank.height - tank.depth]];
     }
     let lowest = all().map(|point| point[1]).reduce(f64::min).unwrap_or_default();

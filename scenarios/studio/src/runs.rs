@@ -1,10 +1,10 @@
 //! Runs of the studio: one at a time, in folders of their own below `runs`.
 
-use std::collections::VecDeque;
+use std::iter::once;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
-use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Condvar, Mutex, PoisonError};
 use std::time::Instant;
 
 use report::page_of_run;
@@ -15,7 +15,8 @@ use scene::vocabulary::Status;
 use scene::{Loaded, Scene};
 use serde_json::{Value, json};
 
-use crate::answers::{of_folder, title};
+use crate::answers::title;
+use crate::held::held;
 use crate::picture::{LiveFrame, Watcher};
 use crate::scene_view::{fingerprint, load, mistake};
 
@@ -31,54 +32,49 @@ enum Stage {
     Ended(Status, Option<String>),
 }
 
+/// The time that a run has reached [s], and when its steps began.
+#[derive(Clone, Copy)]
+struct Reached {
+    time: f64,
+    began: Instant,
+}
+
 /// A run that this process was asked for.
 struct Asked {
     name: String,
     loaded: Loaded,
     stage: Mutex<Stage>,
     interrupt: AtomicBool,
-    /// Bits of the time reached [s], and steps.
-    time: AtomicU64,
-    steps: AtomicU64,
-    born: Instant,
-    /// When the stepping began [ms since `born`], plus 1.
-    began: AtomicU64,
+    /// `None` before the first step.
+    reached: Mutex<Option<Reached>>,
     live: Arc<LiveFrame>,
 }
 
 impl Asked {
-    fn stage(&self) -> MutexGuard<'_, Stage> {
-        self.stage.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-
-    fn scene(&self) -> &Scene {
-        &self.loaded.scene
+    /// Enter another stage if the run waits; false if it does not.
+    fn leave_waiting(&self, next: Stage) -> bool {
+        let mut stage = held(&self.stage);
+        let waits = *stage == Stage::Waiting;
+        if waits {
+            *stage = next;
+        }
+        waits
     }
 }
 
 /// The runs of a studio.
+#[derive(Default)]
 pub struct Runs {
     folder: PathBuf,
     asked: Mutex<Vec<Arc<Asked>>>,
-    waiting: Mutex<VecDeque<Arc<Asked>>>,
     changed: Condvar,
     ended: AtomicBool,
-}
-
-fn held<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 impl Runs {
     /// Runs in the folder `runs` of a studio.
     pub fn new(studio: &Path) -> Runs {
-        Runs {
-            folder: studio.join("runs"),
-            asked: Mutex::default(),
-            waiting: Mutex::default(),
-            changed: Condvar::new(),
-            ended: AtomicBool::new(false),
-        }
+        Runs { folder: studio.join("runs"), ..Runs::default() }
     }
 
     /// Run a scene's text, after those that wait: its name, or the mistake in it.
@@ -89,74 +85,60 @@ impl Runs {
             Ok(loaded) => loaded,
             Err(error) => return json!({"name": null, "error": mistake(&error)}),
         };
-        let mut waiting = held(&self.waiting);
-        if waiting.len() >= MOST_WAITING {
+        let mut asked = held(&self.asked);
+        if asked.iter().filter(|run| *held(&run.stage) == Stage::Waiting).count() >= MOST_WAITING {
             let message = format!("{MOST_WAITING} runs wait already");
             return json!({"name": null, "error": {"message": message, "key": null, "line": null}});
         }
-        let mut asked = held(&self.asked);
         let taken = |name: &String| self.folder.join(name).exists() || asked.iter().any(|run| run.name == *name);
-        let names =
-            std::iter::once(loaded.scene.name.clone()).chain((2..).map(|k| format!("{}_{k}", loaded.scene.name)));
-        let name = names.into_iter().find(|name| !taken(name)).unwrap_or_default();
-        let run = Arc::new(Asked {
+        let own = &loaded.scene.name;
+        let mut names = once(own.clone()).chain((2..).map(|k| format!("{own}_{k}")));
+        let name = names.find(|name| !taken(name)).unwrap_or_default();
+        asked.push(Arc::new(Asked {
             name: name.clone(),
             loaded,
             stage: Mutex::new(Stage::Waiting),
             interrupt: AtomicBool::new(false),
-            time: AtomicU64::new(0),
-            steps: AtomicU64::new(0),
-            born: Instant::now(),
-            began: AtomicU64::new(0),
+            reached: Mutex::default(),
             live: Arc::default(),
-        });
-        asked.push(Arc::clone(&run));
-        waiting.push_back(run);
+        }));
         self.changed.notify_all();
         json!({"name": name, "error": null})
     }
 
     /// Run what waits, until [`Runs::end`].
     pub fn work(&self) {
-        loop {
-            let mut waiting = held(&self.waiting);
-            while waiting.is_empty() && !self.ended.load(Ordering::Relaxed) {
-                waiting = self.changed.wait(waiting).unwrap_or_else(PoisonError::into_inner);
-            }
-            if self.ended.load(Ordering::Relaxed) {
-                return;
-            }
-            let next = waiting.pop_front();
-            drop(waiting);
-            if let Some(run) = next {
-                self.complete(&run);
-            }
+        let mut asked = held(&self.asked);
+        while !self.ended.load(Ordering::Relaxed) {
+            let next = asked.iter().find(|run| run.leave_waiting(Stage::Running)).map(Arc::clone);
+            asked = match next {
+                None => self.changed.wait(asked).unwrap_or_else(PoisonError::into_inner),
+                Some(run) => {
+                    drop(asked);
+                    self.complete(&run);
+                    held(&self.asked)
+                }
+            };
         }
     }
 
     /// End the run that goes on, and start no other.
     pub fn end(&self) {
         self.ended.store(true, Ordering::Relaxed);
-        held(&self.asked).iter().for_each(|run| run.interrupt.store(true, Ordering::Relaxed));
         // a worker that is about to wait holds the list
-        drop(held(&self.waiting));
+        held(&self.asked).iter().for_each(|run| run.interrupt.store(true, Ordering::Relaxed));
         self.changed.notify_all();
     }
 
     fn complete(&self, run: &Asked) {
-        if run.interrupt.load(Ordering::Relaxed) {
-            *run.stage() = Stage::Ended(Status::Interrupted, Some("stopped before it began".into()));
-            return;
-        }
-        *run.stage() = Stage::Running;
-        let progress = |time: f64, steps: u64| {
-            run.time.store(time.to_bits(), Ordering::Relaxed);
-            run.steps.store(steps, Ordering::Relaxed);
-            let now = run.born.elapsed().as_millis() as u64 + 1;
-            let _ = run.began.compare_exchange(0, now, Ordering::Relaxed, Ordering::Relaxed);
+        let progress = |time: f64, _: u64| {
+            let mut reached = held(&run.reached);
+            let began = reached.map_or_else(Instant::now, |before| before.began);
+            *reached = Some(Reached { time, began });
         };
-        let start =
-            |_: &Scene| -> Result<Box<dyn Viewers>, LogError> { Ok(Box::new(Watcher::new(&run.live, run.born))) };
+        let start = |_: &Scene| -> Result<Box<dyn Viewers>, LogError> {
+            Ok(Box::new(Watcher { live: Arc::clone(&run.live), taken: None }))
+        };
         let options = RunOptions {
             out: Some(self.folder.join(&run.name)),
             live: Some(&start),
@@ -167,13 +149,13 @@ impl Runs {
             warnings: run.loaded.warnings.clone(),
             ..RunOptions::default()
         };
-        let done = catch_unwind(AssertUnwindSafe(|| run::run(run.scene(), &options)));
+        let done = catch_unwind(AssertUnwindSafe(|| run::run(&run.loaded.scene, &options)));
         let stage = match done {
             Ok(Ok(outcome)) => Stage::Ended(outcome.summary.status, outcome.summary.message),
             Ok(Err(error)) => Stage::Ended(Status::Failed, Some(error.to_string())),
             Err(_) => Stage::Ended(Status::Failed, Some("the run broke off".into())),
         };
-        *run.stage() = stage;
+        *held(&run.stage) = stage;
     }
 
     fn asked(&self, name: &str) -> Option<Arc<Asked>> {
@@ -184,18 +166,14 @@ impl Runs {
     pub fn stop(&self, name: &str) -> bool {
         let Some(run) = self.asked(name) else { return false };
         run.interrupt.store(true, Ordering::Relaxed);
-        let mut waiting = held(&self.waiting);
-        if let Some(place) = waiting.iter().position(|own| own.name == name) {
-            waiting.remove(place);
-            *run.stage() = Stage::Ended(Status::Interrupted, Some("stopped before it began".into()));
-        }
+        run.leave_waiting(Stage::Ended(Status::Interrupted, Some("stopped before it began".into())));
         true
     }
 
     /// The newest frame of a run that goes on, as PNG.
     pub fn picture(&self, name: &str) -> Option<Vec<u8>> {
         let run = self.asked(name)?;
-        run.live.png(run.scene(), run.born)
+        run.live.png(&run.loaded.scene)
     }
 
     /// The folder of a run of this studio; `None` for any other name.
@@ -207,14 +185,6 @@ impl Runs {
         let real = std::fs::canonicalize(self.folder.join(name)).ok()?;
         let within = real.starts_with(std::fs::canonicalize(&self.folder).ok()?);
         (within && real.is_dir()).then_some(real)
-    }
-
-    /// The answer of a run that ended.
-    ///
-    /// # Errors
-    /// No such run, or none that ended.
-    pub fn answer(&self, name: &str) -> Result<Value, String> {
-        of_folder(&self.folder_of(name).ok_or("no such run")?)
     }
 
     /// All runs: those that this process was asked for, the newest first, then those that lie in the folder.
@@ -234,33 +204,34 @@ impl Runs {
     }
 
     fn line_of_asked(&self, run: &Asked) -> Value {
-        let stage = run.stage().clone();
-        let (start, end) = (run.scene().time.start, run.scene().time.end);
-        let (time, began) = (f64::from_bits(run.time.load(Ordering::Relaxed)), run.began.load(Ordering::Relaxed));
-        let share = ((time - start) / (end - start)).clamp(0.0, 1.0);
-        let seconds = (began > 0).then(|| 1e-3 * (run.born.elapsed().as_millis() as f64 + 1.0 - began as f64));
+        let stage = held(&run.stage).clone();
+        let (start, end) = (run.loaded.scene.time.start, run.loaded.scene.time.end);
+        let reached = *held(&run.reached);
+        let share = reached.map_or(0.0, |reached| ((reached.time - start) / (end - start)).clamp(0.0, 1.0));
+        let seconds = reached.map(|reached| reached.began.elapsed().as_secs_f64());
         let remaining = seconds.filter(|_| share > 0.02).map(|seconds| seconds * (1.0 - share) / share);
-        let line = json!({
-            "name": run.name,
-            "model": title(run.scene().model.name()),
-            "particles": !run.scene().model.is_theory(),
-            "share": if began > 0 { share } else { 0.0 },
-            "time": time,
-            "end": end,
-            "steps": run.steps.load(Ordering::Relaxed),
-            "seconds": seconds,
-            "remaining": remaining,
-        });
+        let line = |state: &str| {
+            json!({
+                "name": run.name,
+                "model": title(run.loaded.scene.model.name()),
+                "particles": !run.loaded.scene.model.is_theory(),
+                "state": state,
+                "words": state,
+                "share": share,
+                "time": reached.map_or(0.0, |reached| reached.time),
+                "end": end,
+                "remaining": remaining,
+            })
+        };
         match stage {
-            Stage::Waiting => with(line, json!({"state": "waiting", "words": "waiting"})),
-            Stage::Running => with(line, json!({"state": "running", "words": "running"})),
+            Stage::Waiting => line("waiting"),
+            Stage::Running => line("running"),
             Stage::Ended(status, message) => {
-                let ended =
-                    json!({"state": "ended", "status": status.name(), "words": status.words(), "message": message});
-                match self.line_of_folder(&run.name) {
-                    Some(of_folder) => with(of_folder, ended),
-                    None => with(line, ended),
-                }
+                let mut ended = self.line_of_folder(&run.name).unwrap_or_else(|| line("ended"));
+                ended["status"] = json!(status.name());
+                ended["words"] = json!(status.words());
+                ended["message"] = json!(message);
+                ended
             }
         }
     }
@@ -274,7 +245,6 @@ impl Runs {
         Some(json!({
             "name": name,
             "model": title(summary["model"].as_str().unwrap_or_default()),
-            "particles": summary.pointer("/particles/fluid").and_then(Value::as_u64).unwrap_or(0) > 0,
             "state": "ended",
             "status": status.name(),
             "words": status.words(),
@@ -285,12 +255,4 @@ impl Runs {
             "peak": summary.pointer("/results/peak_force_N_per_m/value"),
         }))
     }
-}
-
-/// An object with further fields.
-fn with(mut line: Value, more: Value) -> Value {
-    if let (Some(line), Value::Object(more)) = (line.as_object_mut(), more) {
-        line.extend(more);
-    }
-    line
 }

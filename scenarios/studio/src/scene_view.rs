@@ -4,9 +4,7 @@ use std::collections::hash_map::DefaultHasher;
 use std::hash::{Hash, Hasher};
 use std::path::Path;
 
-use scene::{
-    Body, GaugeFrame, Loaded, Scene, SceneError, Shape, Symmetry, core_seconds, panel_line, particle_estimate,
-};
+use scene::{Body, GaugeFrame, Loaded, Scene, SceneError, Shape, core_seconds, panel_line, particle_estimate};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
@@ -45,36 +43,28 @@ pub fn view(folder: &Path, Asked { text, edits }: &Asked) -> Value {
         Ok(text) => text,
         Err(error) => {
             let error = json!({"message": error.why, "key": error.key, "line": null});
-            return json!({"text": text, "edited": false, "error": error, "written": written(text)});
+            return json!({"text": text, "error": error, "written": written(text)});
         }
     };
     let keys = written(&text);
     match load(folder, &text, &[]) {
-        Err(error) => json!({"text": text, "edited": true, "error": mistake(&error), "written": keys}),
+        Err(error) => json!({"text": text, "error": mistake(&error), "written": keys}),
         Ok(loaded) => {
             let scene = &loaded.scene;
             let resolved = scene.to_toml();
             json!({
                 "text": text,
-                "edited": true,
                 "error": null,
                 "written": keys,
                 "resolved": written(&resolved),
                 "warnings": loaded.warnings,
-                "outline": loaded.outline.as_ref().map(scene_outline),
                 "section": section(scene),
-                "cost": cost(scene),
+                "cost": (!scene.model.is_theory()).then(|| json!({"fluid": particle_estimate(scene).0, "core_seconds": core_seconds(scene)})),
                 "name": scene.name,
-                "model": scene.model.name(),
-                "choice": scene.choice,
                 "fingerprint": fingerprint(&resolved),
             })
         }
     }
-}
-
-fn scene_outline(report: &scene::OutlineReport) -> String {
-    report.to_text()
 }
 
 /// The same for two scenes that are alike once resolved, in one process.
@@ -82,15 +72,6 @@ pub fn fingerprint(resolved: &str) -> String {
     let mut hasher = DefaultHasher::new();
     resolved.hash(&mut hasher);
     format!("{:016x}", hasher.finish())
-}
-
-/// Particles and core-seconds of a run; nothing of a theory.
-fn cost(scene: &Scene) -> Value {
-    if scene.model.is_theory() {
-        return Value::Null;
-    }
-    let (fluid, wall) = particle_estimate(scene);
-    json!({"fluid": fluid, "wall": wall, "core_seconds": core_seconds(scene)})
 }
 
 /// Bodies, panels, gauges and water at t = 0, in the tank's frame [m].
@@ -106,7 +87,6 @@ fn section(scene: &Scene) -> Value {
         "bodies": scene.all_bodies().map(body).collect::<Vec<_>>(),
         "gauges": scene.gauges.iter().map(gauge).collect::<Vec<_>>(),
         "tank": {"width": scene.tank.width, "depth": scene.tank.depth, "height": scene.tank.height},
-        "mirrored": scene.symmetry == Symmetry::X,
         "own": scene.body.is_some(),
     })
 }
@@ -128,7 +108,6 @@ fn body(body: &Body) -> Value {
         "position": body.position,
         "angle_deg": body.angle_deg,
         "panels": body.panels.iter().map(panel).collect::<Vec<_>>(),
-        "center_of_mass": body.to_tank(body.center_of_mass),
         "velocity": body.velocity,
     })
 }

@@ -39,17 +39,26 @@ fn another_origin_or_host_is_refused_with_the_token_too() {
         assert_eq!(studio.raw(&request).status, 403, "{host}");
     }
     let without = format!("GET /api/start HTTP/1.1\r\nX-Splashdown-Token: {}\r\n\r\n", studio.token);
-    assert_eq!(studio.raw(&without).status, 403);
+    assert_eq!(studio.raw(&without).status, 400, "HTTP/1.1 asks for a host");
 }
 
 #[test]
 fn only_this_machine_can_connect_and_no_answer_invites_other_pages() {
     let studio = Studio::open(&[]);
     assert!(studio.host.starts_with("127.0.0.1:"));
-    for path in ["/", "/studio.js", "/api/start"] {
+    for path in ["/", "/studio.js", "/api/start", "/api/nothing"] {
         let head = studio.get(path).head.to_lowercase();
         assert!(!head.contains("access-control"), "{head}");
-        assert!(head.contains("content-security-policy: default-src 'none'") && head.contains("nosniff"), "{head}");
+        for line in [
+            "content-security-policy: default-src 'none'",
+            "x-content-type-options: nosniff",
+            "referrer-policy: no-referrer",
+            "cross-origin-resource-policy: same-origin",
+            "cross-origin-opener-policy: same-origin",
+            "cache-control: no-store",
+        ] {
+            assert!(head.contains(line), "{path}: {line}: {head}");
+        }
         assert!(!head.contains("http:") && !head.contains("https:"), "no outside source: {head}");
     }
 }
@@ -102,11 +111,35 @@ fn a_body_of_100_megabytes_is_refused_before_it_is_sent() {
 }
 
 #[test]
+fn a_body_in_chunks_has_the_same_limit() {
+    let studio = Studio::open(&[]);
+    let sent = |chunk: &str, count: usize| {
+        let chunks = format!("{:x}\r\n{chunk}\r\n", chunk.len()).repeat(count);
+        studio.raw(&format!(
+            "POST /api/scene HTTP/1.1\r\nHost: {}\r\nX-Splashdown-Token: {}\r\nTransfer-Encoding: chunked\r\n\r\n{chunks}0\r\n\r\n",
+            studio.host, studio.token
+        ))
+    };
+    assert_eq!(sent("{\"text\": \"\"}", 1).status, 200);
+    assert_eq!(sent(&"x".repeat(1 << 16), 32).status, 413);
+}
+
+#[test]
+fn many_connections_without_a_whole_request_do_not_stop_the_page() {
+    let studio = Studio::open(&[]);
+    let mut idle: Vec<_> = (0..100).map(|_| studio.connect()).collect();
+    for stream in idle.iter_mut().step_by(2) {
+        stream.write_all(b"GET / HTTP/1.1\r\nHost: ").expect("the studio reads");
+    }
+    assert_eq!(studio.get("/api/start").status, 200);
+}
+
+#[test]
 fn what_is_no_request_is_refused_and_the_studio_goes_on() {
     let studio = Studio::open(&[]);
     assert_eq!(studio.raw("nonsense\r\n\r\n").status, 400);
-    let many = format!("GET / HTTP/1.1\r\nHost: {}\r\nX-Long: {}\r\n", studio.host, "y".repeat(1 << 15));
-    assert_eq!(studio.raw(&many).status, 431);
+    let many = format!("GET / HTTP/1.1\r\nHost: {}\r\nX-Long: {}\r\n\r\n", studio.host, "y".repeat(9 << 10));
+    assert_eq!(studio.raw(&many).status, 400);
     let token = [("X-Splashdown-Token", studio.token.as_str())];
     assert_eq!(studio.with("POST /api/scene", &token, "{\"words\": 1}").status, 400);
     assert_eq!(studio.with("DELETE /api/runs", &token, "").status, 405);
