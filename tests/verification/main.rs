@@ -23,6 +23,7 @@ mod force_rules;
 mod gas;
 mod gauges;
 mod gentle_water;
+mod given_motion;
 mod graded_rest;
 mod grading;
 mod heaving_box;

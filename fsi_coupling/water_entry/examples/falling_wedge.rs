@@ -15,6 +15,7 @@ fn main() -> Result<(), OutOfRange> {
     let by = |model: EntryModel| {
         let loads = Loads::new(model, &section)?;
         let steep = false;
+        let motion = motion.clone();
         Entry { loads: &loads, motion, draught, speed, gravity, density, buoyancy: true, steep }.solve(&times)
     };
     let (wagner, mlm) = (by(EntryModel::Wagner)?, by(EntryModel::Mlm)?);

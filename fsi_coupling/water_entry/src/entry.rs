@@ -77,13 +77,19 @@ pub struct Instant {
 }
 
 impl Instant {
-    /// A share of the way from one moment to another [-], at a time [s].
+    /// A share of the way from one moment to another [-], at a time [s]: draught and speed cubic by their rates, the others linear.
     pub fn between(a: &Instant, b: &Instant, share: f64, time: f64) -> Instant {
         let mix = |a: f64, b: f64| a + share * (b - a);
+        let length = b.time - a.time;
+        let cubic = |of: [f64; 2], rates: [f64; 2]| {
+            let [from, to] = [share, 1.0 - share];
+            let bent = to * (rates[0] * length - (of[1] - of[0])) - from * (rates[1] * length - (of[1] - of[0]));
+            mix(of[0], of[1]) + from * to * bent
+        };
         Instant {
             time,
-            draught: mix(a.draught, b.draught),
-            speed: mix(a.speed, b.speed),
+            draught: cubic([a.draught, b.draught], [a.speed, b.speed]),
+            speed: cubic([a.speed, b.speed], [a.rate, b.rate]),
             rate: mix(a.rate, b.rate),
             force: mix(a.force, b.force),
             wetted: mix(a.wetted, b.wetted),

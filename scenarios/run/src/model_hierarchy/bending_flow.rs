@@ -10,7 +10,7 @@ use water_entry::{
     BOUNDARY_ELEMENT_DEADRISES, BendingWater, Entry, EntryModel, Instant, Loads, OutOfRange, Section, SectionMotion,
 };
 
-use super::theory::at_start;
+use super::upright::at_start;
 use crate::build::moving;
 use crate::observers::{modal_values, panel_values};
 use crate::panel::PanelResult;

@@ -71,7 +71,8 @@ pub fn measured(scene: &Scene, theory: &Theory, want: QuantityOfInterest) -> Opt
     let depth = scene.entry()?.final_draught;
     let starts_wet = scene.body.as_ref().is_some_and(|body| body.draught() > WET_START * depth);
     let given = want == QuantityOfInterest::Motion && !scene.body.as_ref().is_some_and(Body::is_free);
-    if !given && (gain > LARGEST_GAIN || starts_wet) {
+    let from_table = scene.body.as_ref().is_some_and(|body| matches!(body.motion, Motion::Tabulated(_)));
+    if !given && (gain > LARGEST_GAIN || starts_wet || from_table) {
         return None; // no case was measured there
     }
     let of_gravity = match want {

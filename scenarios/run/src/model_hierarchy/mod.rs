@@ -24,6 +24,7 @@ mod measured_error;
 mod rolled;
 mod theory;
 mod theory_run;
+mod upright;
 
 pub use assess::{Assessment, assess};
 pub use choose::{charted_number, choose};

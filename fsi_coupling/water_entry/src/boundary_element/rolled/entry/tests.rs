@@ -8,7 +8,7 @@ use crate::{FlowEntry, Section};
 fn equal_faces_fall_as_a_symmetric_wedge() {
     let (deadrise, breadth, motion, gravity, density) = (30.0_f64, 0.5, SectionMotion::Free(60.0), 9.81, 1000.0);
     let section = Section::wedge(deadrise, breadth).expect("a section");
-    let entry = FlowEntry { section: &section, motion, draught: -0.02, speed: 3.0, gravity, density };
+    let entry = FlowEntry { section: &section, motion: motion.clone(), draught: -0.02, speed: 3.0, gravity, density };
     let times: Vec<f64> = (0..=25).map(|k| 1e-3 * f64::from(k)).collect();
     let (theirs, _, end) = entry.solve(&times).expect("in range");
     assert!(end.is_none(), "{end:?}");
