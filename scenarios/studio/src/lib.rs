@@ -114,7 +114,7 @@ impl Studio {
 
 fn answer(shared: &Shared, request: &mut Request<Body>) -> Response<Body> {
     let (head, body) = take(request).into_parts();
-    // what is left of a refused body is not read, and idle connections hold no thread
+    // what is left of a refused body is not read, and a connection that was answered holds no thread
     request.headers_mut().insert(header::CONNECTION, HeaderValue::from_static("close"));
     let body = shared.guard.admit(&head).and_then(|()| http::read(body));
     body.and_then(|body| routes::answer(shared, &head, &body)).unwrap_or_else(Response::from)
