@@ -13,8 +13,9 @@ use crate::geometry::rows::WallRows;
 
 /// Boundary particles on half the breadth of the bottom.
 const PARTICLES: f64 = 100.0;
-/// Residual of the accelerations at which they fit the water's load, over what that causes [-].
+/// Residual of the accelerations at which they fit the water's load, over what that causes [-], or over an acceleration of nothing wet [m/s²].
 const TOLERANCE: f64 = 1e-6;
+const AT_REST: f64 = 1.0;
 /// Largest number of iterations per step.
 const MOST_ITERATIONS: usize = 60;
 
@@ -298,7 +299,7 @@ impl BendingBottom for Bottom {
             };
             let found = owner.as_ref().map(|owner| owner.residual_in_mean(&forces)).unwrap_or_default();
             let size = |of: &[f64]| of.iter().map(|value| value * value).sum::<f64>().sqrt();
-            if size(&found.residual) <= TOLERANCE * size(&found.driving) {
+            if size(&found.residual) <= TOLERANCE * size(&found.driving).max(AT_REST) {
                 let pressures = steady.iter().zip(&caused).map(|(steady, caused)| steady + caused);
                 let places = water.places.iter().zip(pressures).map(|(x, p)| [*x, p]).collect();
                 self.pressure = BottomPressure { time: at, places };

@@ -8,6 +8,7 @@ use super::aeroplane::aeroplane;
 use super::certify_check;
 use super::flotation;
 use super::model::{LandingKeys, Scene};
+use super::plating_keys;
 use super::sea;
 use super::stations::station;
 use super::windows::windows;
@@ -40,6 +41,7 @@ pub(super) fn checked(mut scene: Scene) -> Result<Scene, Problem> {
     accelerometers(&scene)?;
     assumptions(&scene)?;
     windows(&scene.windows, &hull, scene.model)?;
+    plating_keys::check(&scene, &hull)?;
     flotation::check(&scene)?;
     certify_check::check(&scene)?;
     sea::check(&scene, hull.fuselage())?;
@@ -69,10 +71,12 @@ fn names(scene: &Scene) -> Result<(), Problem> {
     let panels = scene.panels.iter().enumerate().map(|(k, p)| (format!("panels[{k}].name"), &p.name));
     let struts = scene.struts.iter().enumerate().map(|(k, s)| (format!("struts[{k}].name"), &s.name));
     let windows = scene.windows.iter().enumerate().map(|(k, w)| (format!("windows[{k}].name"), &w.name));
+    let plating = scene.plating.iter().enumerate().map(|(k, p)| (format!("plating[{k}].name"), &p.name));
     let openings = scene.openings.iter().enumerate().map(|(k, o)| (format!("openings[{k}].name"), &o.name));
     let places = scene.accelerometers.iter().enumerate().map(|(k, a)| (format!("accelerometers[{k}].name"), &a.name));
     let mut known: Vec<&str> = Vec::new();
-    for (key, name) in surfaces.chain(nacelles).chain(panels).chain(struts).chain(windows).chain(openings).chain(places)
+    for (key, name) in
+        surfaces.chain(nacelles).chain(panels).chain(struts).chain(windows).chain(plating).chain(openings).chain(places)
     {
         word(&key, name)?;
         require(!known.contains(&name.as_str()), &key, name, "a name that nothing else has")?;

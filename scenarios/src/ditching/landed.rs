@@ -15,6 +15,7 @@ use super::checked::{hull, landing};
 use super::flotation::{self, Flotation};
 use super::loads::{self, Accelerometer, Bent, PartLoad, StationLoad};
 use super::model::Scene;
+use super::plating::{self, PlatingStress};
 use super::sea::{self, Sea};
 use super::series::Series;
 use super::windows::{self, WindowLoad};
@@ -38,6 +39,13 @@ pub struct Landed {
 }
 
 impl Landed {
+    /// Adds the stresses of plating, which take seconds of each section.
+    pub(super) fn add_stresses(&mut self, scene: &Scene) {
+        let start = Instant::now();
+        self.summary.structure.plating = plating::stresses(scene, &self.run);
+        self.summary.wall_time_s += start.elapsed().as_secs_f64();
+    }
+
     /// The file of the largest pressures.
     pub(super) fn map_csv(&self) -> String {
         windows::csv(self.map.as_ref(), &self.fuselage)
@@ -66,6 +74,7 @@ pub fn follow(scene: &Scene) -> Landed {
         accelerometers: scene.accelerometers.iter().map(|keys| Accelerometer::of_series(keys, &series)).collect(),
         parts,
         windows,
+        plating: Vec::new(),
         flotation: flotation::flotation(scene, hull.fuselage(), &lost),
         deflection_m: bent.map(|bent| bent.deflection),
         frequencies_hz: frequencies(landing.aeroplane.bending.as_ref()),
@@ -154,6 +163,9 @@ pub struct Structure {
     /// Windows of the bottom; absent without.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub windows: Vec<WindowLoad>,
+    /// Stresses of plating; absent without it.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub plating: Vec<PlatingStress>,
     /// How it floats after the stop; absent where that is not asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub flotation: Option<Flotation>,
@@ -250,6 +262,7 @@ impl Summary {
             )
         };
         let windows: String = self.structure.windows.iter().map(window).collect();
+        let windows = windows + &plating::lines(&self.structure.plating);
         let Some(afloat) = &self.structure.flotation else { return windows };
         let sill = |s: &flotation::SillTime| {
             let when = s.reached_s.map_or("stays dry".to_string(), |t| format!("wet at {t:.0} s"));

@@ -10,7 +10,7 @@
 //! ```
 //!
 //! A landing is a TOML file of its own kind; [`load`] reads it, [`run`] follows it and writes `series.csv`, `summary.json`,
-//! `report.html`, `pressure_map.csv` and `scene.resolved.toml`, [`section_scenes`] makes scenes of particles of its sections. [`schema`] has the keys.
+//! `report.html`, `pressure_map.csv`, `stress_map.csv` and `scene.resolved.toml`, [`section_scenes`] makes scenes of particles of its sections. [`schema`] has the keys.
 
 mod accelerometers;
 mod aeroplane;
@@ -26,8 +26,12 @@ mod model;
 mod outlines;
 mod page;
 mod parts;
+mod plating;
+mod plating_keys;
+mod plating_page;
 mod sea;
 mod sea_keys;
+mod section_text;
 mod sections;
 mod series;
 mod side_views;
@@ -57,6 +61,8 @@ pub use landed::{Landed, Structure, Summary, follow};
 pub use loads::{Accelerometer, PartLoad, StationLoad};
 pub use model::{AeroplaneKeys, LandingKeys, Scene, schema};
 pub use parts::{AccelerometerKeys, BeamKeys, MassKeys, NacelleKeys, PanelKeys, SurfaceKeys};
+pub use plating::{BayStress, PlatingSection, PlatingStress};
+pub use plating_keys::{PlateEnd, PlatingKeys};
 pub use sea::Sea;
 pub use sea_keys::{SeaKeys, SpectrumKey, TouchdownKey, WavePart};
 pub use sections::{SectionError, SectionResult, SectionScene, section_scenes};
@@ -102,6 +108,7 @@ fn read(draft: &Draft) -> Result<Scene, Problem> {
     each("panels").iter().try_for_each(|item| draft.read::<PanelKeys>(item).map(drop))?;
     each("struts").iter().try_for_each(|item| draft.read::<StrutKeys>(item).map(drop))?;
     each("windows").iter().try_for_each(|item| draft.read::<WindowKeys>(item).map(drop))?;
+    each("plating").iter().try_for_each(|item| draft.read::<PlatingKeys>(item).map(drop))?;
     each("openings").iter().try_for_each(|item| draft.read::<OpeningKeys>(item).map(drop))?;
     draft.is_given("flotation").then(|| draft.read::<FlotationKeys>("flotation")).transpose()?;
     each("accelerometers").iter().try_for_each(|item| draft.read::<AccelerometerKeys>(item).map(drop))?;
@@ -113,21 +120,38 @@ fn read(draft: &Draft) -> Result<Scene, Problem> {
     draft.read("")
 }
 
-/// Files of a landing.
-pub const FILES: [&str; 5] = ["series.csv", "summary.json", "scene.resolved.toml", "report.html", "pressure_map.csv"];
+/// Files of a landing; the last only of one with plating.
+pub const FILES: [&str; 6] =
+    ["series.csv", "summary.json", "scene.resolved.toml", "report.html", "pressure_map.csv", "stress_map.csv"];
 
-/// Follow a landing and write its files into a folder; `force` replaces those that it holds.
+/// Follow a landing, then the sections of its plating, and write its files into a folder; `force` replaces those that it holds.
 ///
 /// # Errors
 /// The folder is a file, holds a landing, or cannot be written to.
 pub fn run(scene: &Scene, out: &Path, force: bool) -> Result<Landed, RunError> {
     refuse_files(out, &FILES, force)?;
-    let landed = follow(scene);
+    let mut landed = follow(scene);
+    landed.add_stresses(scene);
     fs::create_dir_all(out).map_err(|e| RunError::Write(out.display().to_string(), e))?;
-    let texts =
-        [landed.series.csv(), landed.summary.to_json(), scene.to_toml(), page::page(scene, &landed), landed.map_csv()];
+    let mut texts = vec![
+        landed.series.csv(),
+        landed.summary.to_json(),
+        scene.to_toml(),
+        page::page(scene, &landed),
+        landed.map_csv(),
+    ];
+    if !scene.plating.is_empty() {
+        texts.push(plating::csv(&landed.summary.structure.plating));
+    }
     for (name, text) in FILES.iter().zip(texts) {
         write(&out.join(name), &text)?;
+    }
+    if !scene.plating.is_empty() {
+        let folder = out.join(plating::FOLDER);
+        fs::create_dir_all(&folder).map_err(|e| RunError::Write(folder.display().to_string(), e))?;
+        for (name, text) in plating::scenes(&landed.summary.structure.plating) {
+            write(&out.join(name), text)?;
+        }
     }
     Ok(landed)
 }

@@ -11,6 +11,7 @@ use water_entry::ditching::{Water, Wing};
 use super::afloat_keys::{FlotationKeys, OpeningKeys, StrutKeys};
 use super::certify_keys::CertifyKeys;
 use super::parts::{AccelerometerKeys, BeamKeys, MassKeys, NacelleKeys, PanelKeys, SurfaceKeys};
+use super::plating_keys::PlatingKeys;
 use super::sea_keys::SeaKeys;
 use super::stations::StationKeys;
 use super::windows::WindowKeys;
@@ -68,6 +69,9 @@ pub struct Scene {
     /// Parts of the bottom whose mean pressure is wanted.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub windows: Vec<WindowKeys>,
+    /// Parts of the bottom whose stresses are wanted.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub plating: Vec<PlatingKeys>,
     /// How the aeroplane floats after it has stopped.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub flotation: Option<FlotationKeys>,

@@ -12,6 +12,7 @@ use super::afloat_page as afloat;
 use super::landed::{Landed, Structure, seconds};
 use super::loads::StationLoad;
 use super::model::Scene;
+use super::plating_page;
 use super::side_views::side_views;
 
 /// What stands beside accelerations.
@@ -30,6 +31,7 @@ pub(super) fn page(scene: &Scene, landed: &Landed) -> String {
         [
             vec![Block::Table(loads_table(scene, landed))],
             structure_tables(&landed.summary.structure),
+            plating_page::blocks(&landed.summary.structure.plating),
             afloat::blocks(landed),
         ]
         .concat(),

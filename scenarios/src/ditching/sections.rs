@@ -6,18 +6,21 @@ use run::{RunError, RunOptions, load_text, run};
 use scene::SceneError;
 use scene::vocabulary::Status;
 use serde::Serialize;
-use water_entry::ditching::{Hull, ImpactingPart, SectionLoad};
+use water_entry::ditching::{ImpactingPart, SectionLoad};
 
-use super::checked::hull;
+use super::checked::{hull, landing};
 use super::landed::Landed;
 use super::model::Scene;
-use super::stations::shape_keys;
+use super::section_text::SectionEntry;
 
 /// Particle spacings over the breadth of a section, at least.
 const SPACINGS: f64 = 200.0;
 
 /// Particle spacings in the draught that is compared, at least: from sixteen on the force of an entry is within 1 %.
 const SPACINGS_DEEP: f64 = 16.0;
+
+/// Particle spacings in a bay of plating, at least: eight elements.
+const SPACINGS_OF_BAY: f64 = 16.0;
 
 /// A section's entry as a scene that `splashdown run` takes.
 #[derive(Clone, Debug)]
@@ -88,48 +91,54 @@ impl SectionScene {
 
 /// Scenes of `count` places, spread evenly over the keel that presses when the load of the water is largest.
 ///
-/// Each enters at a constant speed, that of the keel in its plane of water then: a speed that changes with time is not among the
-/// motions of a scene.
+/// Each enters as its plane of water sees it (THEORY EN63), with the panels of plating that the landing has there. Places whose plane meets an
+/// end of the fuselage first are left out.
 pub fn section_scenes(scene: &Scene, landed: &Landed, count: usize) -> Vec<SectionScene> {
-    let heaviest = landed.run.moments.iter().max_by(|a, b| a.force[1].total_cmp(&b.force[1]));
-    let (Ok(hull), Some(moment)) = (hull(scene), heaviest) else {
+    let moments = &landed.run.moments;
+    let heaviest = (0..moments.len()).max_by(|a, b| moments[*a].force[1].total_cmp(&moments[*b].force[1]));
+    let (Ok(hull), Some(at)) = (hull(scene), heaviest) else {
         return Vec::new();
     };
-    let pressing = moment.strips.iter().filter(|(_, force)| *force > 0.0);
+    let landing = landing(scene, &hull);
+    let pressing = moments[at].strips.iter().filter(|(_, force)| *force > 0.0);
     let entries: Vec<ImpactingPart> = pressing.filter_map(|(strip, _)| strip.entry).collect();
     let place = |k: usize| entries.get((2 * k + 1) * entries.len() / (2 * count));
-    (0..count).filter_map(place).map(|entry| section_scene(scene, entry, moment.time, &hull)).collect()
+    let scene_of = |entry: &ImpactingPart| {
+        let history = landing.plane_history(&landed.run.flight, moments[at].time, entry.at.x)?;
+        Some(section_scene(&SectionEntry { scene, hull: &hull, x: entry.at.x, history }, moments[at].time))
+    };
+    (0..count).filter_map(place).filter_map(scene_of).collect()
 }
 
-fn section_scene(scene: &Scene, entry: &ImpactingPart, time: f64, hull: &Hull) -> SectionScene {
-    let (x, draught, speed) = (entry.at.x, entry.at.draught, entry.at.speed);
-    let breadth = hull.fuselage().breadth(x);
-    let shape = shape_keys(&hull.form(x), breadth);
+fn section_scene(entry: &SectionEntry<'_>, time: f64) -> SectionScene {
+    let SectionEntry { scene, hull, x, history } = entry;
+    let rows = &history.rows;
+    let now = rows.iter().find(|row| row.time >= time).unwrap_or(&rows[rows.len() - 1]);
+    let (contact, last) = (entry.contact(), rows[rows.len() - 1].time);
+    let time_s = now.time - contact;
     let name = format!("{}_{x:04.1}m", scene.name).replace('.', "p");
-    let SectionLoad { slam, area, .. } = hull.at(x, draught);
-    let (time_s, by_theory) =
-        (draught / speed, scene.water.density * (slam * speed * speed + scene.water.gravity * area));
-    let text = format!(
-        "# The section {x:.2} m from the nose of {} when the load of the water is largest, t = {time:.3} s: draught {draught:.4} m and\n\
-         # {speed:.3} m/s in its plane of water. It enters at that speed from the first touch on, to 1.2 times that draught, at\n\
-         # t = {:.5} s, where {} and buoyancy say {by_theory:.0} N/m.\n\
+    let SectionLoad { slam, added_mass, area, .. } = hull.at(*x, now.draught);
+    let by_theory =
+        scene.water.density * (slam * now.speed * now.speed + added_mass * now.rate + scene.water.gravity * area);
+    let head = format!(
+        "# The section {x:.2} m from the nose of {} on the way that its plane of water sees, from the contact at {contact:.4} s on. When the load\n\
+         # of the water is largest, at t = {time_s:.5} s, its draught is {:.4} m and its speed {:.3} m/s; {} and buoyancy say\n\
+         # {by_theory:.0} N/m.\n\
          name = \"{name}\"\n\
-         description = \"Section {x:.2} m from the nose of {}: entry at constant speed\"\n\
-         symmetry = \"x\"\ngravity = [0.0, {:?}]\n\n\
-         [time]\nend = {:?}\n\n[resolution]\nspacing = {:?}\n\n\
-         [fluid]\ndensity = {:?}\n\n\
-         [body]\nname = \"section\"\n{shape}\n\
-         motion = \"constant_velocity\"\nvelocity = [0.0, {:?}]\n\n\
-         [[gauges]]\nname = \"keel\"\nat = [0.0, 0.0]\n",
+         description = \"Section {x:.2} m from the nose of {}, as on the landing\"\n",
         scene.name,
-        time_s,
+        now.draught,
+        now.speed,
         scene.model.name(),
         scene.name,
-        -scene.water.gravity,
-        1.2 * draught / speed,
-        (breadth / SPACINGS).min(draught / SPACINGS_DEEP),
-        scene.water.density,
-        -speed
     );
-    SectionScene { name, text, time_s, by_theory }
+    let plating = scene.plating.iter().filter(|keys| (keys.from..=keys.to).contains(x));
+    let plates: Vec<_> = plating.filter_map(|keys| Some((keys, keys.plate()?))).collect();
+    let shortest = plates.iter().flat_map(|(keys, _)| keys.bays()).map(|bay| entry.bay_length(&bay));
+    let spacing = (entry.breadth() / SPACINGS).min(now.draught / SPACINGS_DEEP);
+    let spacing = shortest.map(|length| length / SPACINGS_OF_BAY).fold(spacing, f64::min);
+    let panels: String = plates.iter().map(|(keys, plate)| entry.panels(keys, plate, None)).collect();
+    let end = (1.2 * time_s).min(last - contact);
+    let tail = format!("{panels}\n[[gauges]]\nname = \"keel\"\nat = [0.0, 0.0]\n");
+    SectionScene { name, text: entry.text(&head, [end, end / 400.0], spacing, &tail), time_s, by_theory }
 }

@@ -65,13 +65,12 @@ pub(super) fn shape_keys(form: &Form, breadth: f64) -> String {
     match form {
         Form::Radius(radius) => format!("shape = \"arc\"\nradius = {radius:?}\n{sides}"),
         Form::DeadriseDeg(deadrise) => format!("shape = \"wedge\"\ndeadrise_deg = {deadrise:?}\n{sides}"),
-        Form::Outline(points) => {
-            let right = points.iter().filter(|p| p[0] <= 0.5 * breadth * (1.0 + 1e-9));
-            let mut right: Vec<[f64; 2]> = right.copied().collect();
+        Form::Outline(_) => {
+            let mut right = form.bottom(breadth);
             if let Some([x, y]) = right.last().copied() {
                 right.push([x, y + 0.5 * breadth]);
             }
-            let left = right[1..].iter().rev().map(|[x, y]| [-x, *y]);
+            let left = right.iter().skip(1).rev().map(|[x, y]| [-x, *y]);
             let around: Vec<[f64; 2]> = right.iter().copied().chain(left).collect();
             format!("shape = \"polygon\"\npoints = {around:?}")
         }

@@ -1,6 +1,7 @@
 //! An aeroplane at rest on water: waterline and trim (THEORY EN57).
 
-use super::fuselage::{Form, Fuselage};
+use super::form::Form;
+use super::fuselage::Fuselage;
 use super::monotone::Monotone;
 
 /// Slices along a fuselage.

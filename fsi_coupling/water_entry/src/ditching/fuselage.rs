@@ -2,9 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::form::Form;
 use super::loft::Loft;
 use super::monotone::Monotone;
-use super::outline::up_to;
 use crate::{EntryModel, OutOfRange, Section};
 
 /// Models for the sections of a landing.
@@ -23,18 +23,6 @@ pub(super) fn outside(refused: &OutOfRange, section: Option<&Section>) -> String
 
 /// Steepest angle between keel line and body axis [deg]: steeper ones are no slender body's.
 const STEEPEST_KEEL_DEG: f64 = 60.0;
-
-/// Shape of a section.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Form {
-    /// The arc of a circle of this radius [m].
-    Radius(f64),
-    /// A wedge of this deadrise [deg].
-    DeadriseDeg(f64),
-    /// Half of an outline: distance from the plane of symmetry, height over the keel, from the keel outwards [m], shape (n, 2).
-    Outline(Vec<[f64; 2]>),
-}
 
 /// A section at its place.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -79,34 +67,6 @@ pub struct FuselageError {
     pub station: usize,
     /// What is wrong with it, and what was expected.
     pub why: String,
-}
-
-impl Form {
-    /// The section of a breadth [m].
-    pub fn section(&self, breadth: f64) -> Result<Section, OutOfRange> {
-        match self {
-            Form::Radius(radius) => Section::arc(*radius, breadth),
-            Form::DeadriseDeg(deadrise) => Section::wedge(*deadrise, breadth),
-            Form::Outline(points) => match up_to(points, 0.5 * breadth) {
-                Some(bottom) => Section::new(&bottom),
-                None => Err(OutOfRange::not_a_section("an outline that is narrower than the breadth")),
-            },
-        }
-    }
-
-    /// Its like on a breadth that is `by` times as large.
-    pub(super) fn scaled(&self, by: f64) -> Form {
-        match self {
-            Form::Radius(radius) => Form::Radius(by * radius),
-            Form::DeadriseDeg(deadrise) => Form::DeadriseDeg(*deadrise),
-            Form::Outline(points) => Form::Outline(points.iter().map(|p| p.map(|v| by * v)).collect()),
-        }
-    }
-
-    /// Is it an outline?
-    pub(super) fn is_outline(&self) -> bool {
-        matches!(self, Form::Outline(_))
-    }
 }
 
 impl Fuselage {

@@ -1,6 +1,7 @@
 //! Loads of the sections of a fuselage.
 
-use super::fuselage::{Form, Fuselage, FuselageError, outside};
+use super::form::Form;
+use super::fuselage::{Fuselage, FuselageError, outside};
 use crate::{EntryModel, Loads, OutOfRange, Section};
 
 /// Forms that differ by less than this share are one.

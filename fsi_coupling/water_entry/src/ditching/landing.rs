@@ -59,6 +59,17 @@ pub struct LandingState {
     pub lost: Vec<bool>,
 }
 
+/// Motion of a landing at a moment.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FlightMoment {
+    /// Time since the first touch [s].
+    pub time: f64,
+    /// Where it is and how it moves.
+    pub attitude: Attitude,
+    /// As of [`LandingState`].
+    pub acceleration: [f64; FREEDOMS],
+}
+
 /// Why a landing ended.
 #[derive(Clone, Debug, PartialEq)]
 pub enum LandingEnd {
@@ -77,6 +88,8 @@ pub enum LandingEnd {
 pub struct LandingResult {
     /// Samples, the first at the first touch, the last at the end.
     pub moments: Vec<LandingState>,
+    /// Its motion at the start of each step.
+    pub flight: Vec<FlightMoment>,
     /// Why it ended.
     pub ended: LandingEnd,
 }

@@ -2,7 +2,7 @@
 
 use super::attitude::{Attitude, FREEDOMS, MODES, STRUTS};
 use super::balance::Balance;
-use super::landing::{Landing, LandingEnd, LandingResult, LandingState};
+use super::landing::{FlightMoment, Landing, LandingEnd, LandingResult, LandingState};
 use super::swell::Swell;
 
 /// Steepest pitch that strips across the way of flight stand for [rad].
@@ -50,9 +50,11 @@ impl Landing<'_> {
         let mut attitude = self.start();
         let mut lost = vec![false; self.aeroplane.parts()];
         let mut moments = vec![self.moment(0.0, attitude, &lost)];
+        let mut flight = Vec::new();
         for step in 1.. {
             let before = (step - 1) as f64 * self.step;
             let first = self.balance(before, &attitude, &lost);
+            flight.push(FlightMoment { time: before, attitude, acceleration: first.acceleration });
             self.aeroplane.lose(self.hull, &mut lost, &first.parts, &first.strips);
             attitude = self.advanced(before, attitude, &first, &lost);
             let time = step as f64 * self.step;
@@ -61,7 +63,7 @@ impl Landing<'_> {
                 moments.push(self.moment(time, attitude, &lost));
             }
             if let Some(ended) = ended {
-                return LandingResult { moments, ended };
+                return LandingResult { moments, flight, ended };
             }
         }
         unreachable!("time ends")

@@ -3,7 +3,8 @@
 use std::f64::consts::PI;
 
 use super::attitude::Attitude;
-use super::fuselage::{Form, Fuselage, FuselageError, Station};
+use super::form::Form;
+use super::fuselage::{Fuselage, FuselageError, Station};
 use super::hull::Hull;
 use super::strip::Strip;
 use super::swell::Swell;
