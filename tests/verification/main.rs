@@ -13,6 +13,7 @@ mod dissipation;
 mod ditching;
 mod ditching_outlines;
 mod ditching_parts;
+mod ditching_plating;
 mod ditching_waves;
 mod echo;
 mod elliptic_drop;

@@ -39,6 +39,8 @@ pub struct QuasiNewton {
 struct Column {
     residual: Vec<f64>,
     outcome: Vec<f64>,
+    /// Products of the residual with itself and with those of the older columns, the newest first.
+    products: Vec<f64>,
 }
 
 impl QuasiNewton {
@@ -52,41 +54,57 @@ impl QuasiNewton {
         if let Some([x_before, before]) = self.last.replace([x.to_vec(), r.to_vec()]) {
             let residual = difference(r, &before);
             let outcome = difference(x, &x_before).iter().zip(&residual).map(|(x, r)| x + r).collect();
-            self.columns.push_front(Column { residual, outcome });
+            let older = self.columns.iter().map(|column| dot(&residual, &column.residual));
+            let products = std::iter::once(dot(&residual, &residual)).chain(older).collect();
+            self.columns.push_front(Column { residual, outcome, products });
             self.columns.truncate((MEMORY[0] * r.len()).min(MEMORY[1]));
         }
         quasi_newton(&self.columns, x, r)
     }
 }
 
-/// CO9: x + r + Σ c_i Δx̃_i, where Σ c_i Δr_i is the least-squares approximation of −r by the columns, newer columns first. The rest of
-/// r is relaxed.
+/// CO9: x + r + Σ c_i Δx̃_i, where Σ c_i Δr_i is the least-squares approximation of −r by the columns. The rest of r is relaxed.
 fn quasi_newton(columns: &VecDeque<Column>, x: &[f64], r: &[f64]) -> Vec<f64> {
     let mut rest: Vec<f64> = r.iter().map(|r| -r).collect();
     let mut step = vec![0.0; x.len()];
-    let mut basis: Vec<Column> = Vec::new(); // orthonormal residuals, by Gram and Schmidt, twice
-    for column in columns {
-        let (mut residual, mut outcome) = (column.residual.clone(), column.outcome.clone());
-        for _ in 0..2 {
-            for known in &basis {
-                let share = dot(&residual, &known.residual);
-                add(&mut residual, -share, &known.residual);
-                add(&mut outcome, -share, &known.outcome);
-            }
-        }
-        let length = dot(&residual, &residual).sqrt();
-        if length <= INDEPENDENT * dot(&column.residual, &column.residual).sqrt() {
-            continue;
-        }
-        residual.iter_mut().chain(&mut outcome).for_each(|v| *v /= length);
-        let share = dot(&rest, &residual);
-        add(&mut rest, -share, &residual);
-        add(&mut step, share, &outcome);
-        basis.push(Column { residual, outcome });
+    for (k, share) in least_squares(columns, &rest) {
+        add(&mut rest, -share, &columns[k].residual);
+        add(&mut step, share, &columns[k].outcome);
     }
     // r = −(spanned) − rest: the columns predict the outcome of the first part, the second is relaxed
     let spanned: Vec<f64> = r.iter().zip(&rest).map(|(r, rest)| r + rest).collect();
     (0..x.len()).map(|k| x[k] + spanned[k] + step[k] - RELAXATION * rest[k]).collect()
+}
+
+/// The columns that are independent of newer ones and the coefficients with which their residuals are nearest to `wanted`: normal equations by
+/// Cholesky's factors, the newest column first.
+fn least_squares(columns: &VecDeque<Column>, wanted: &[f64]) -> Vec<(usize, f64)> {
+    let mut kept: Vec<usize> = Vec::new();
+    let (mut rows, mut right): (Vec<Vec<f64>>, Vec<f64>) = (Vec::new(), Vec::new());
+    for (k, column) in columns.iter().enumerate() {
+        let mut row: Vec<f64> = Vec::with_capacity(kept.len() + 1);
+        for (newer, of_newer) in kept.iter().zip(&rows) {
+            let product = columns[*newer].products[k - newer] - dot(&row, of_newer);
+            row.push(product / of_newer[row.len()]);
+        }
+        let own = column.products[0];
+        let orthogonal = own - dot(&row, &row);
+        if orthogonal <= INDEPENDENT * INDEPENDENT * own {
+            continue;
+        }
+        let length = orthogonal.sqrt();
+        right.push((dot(wanted, &column.residual) - dot(&row, &right)) / length);
+        row.push(length);
+        kept.push(k);
+        rows.push(row);
+    }
+    for k in (0..kept.len()).rev() {
+        right[k] /= rows[k][k];
+        for earlier in 0..k {
+            right[earlier] -= rows[k][earlier] * right[k];
+        }
+    }
+    kept.into_iter().zip(right).collect()
 }
 
 fn dot(a: &[f64], b: &[f64]) -> f64 {

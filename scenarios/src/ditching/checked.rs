@@ -41,7 +41,7 @@ pub(super) fn checked(mut scene: Scene) -> Result<Scene, Problem> {
     accelerometers(&scene)?;
     assumptions(&scene)?;
     windows(&scene.windows, &hull, scene.model)?;
-    plating_keys::check(&scene, &hull)?;
+    plating_keys::check(&scene.plating, &hull)?;
     flotation::check(&scene)?;
     certify_check::check(&scene)?;
     sea::check(&scene, hull.fuselage())?;

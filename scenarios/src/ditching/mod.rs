@@ -26,6 +26,7 @@ mod model;
 mod outlines;
 mod page;
 mod parts;
+mod plate_strip;
 mod plating;
 mod plating_keys;
 mod plating_page;

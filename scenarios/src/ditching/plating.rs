@@ -1,8 +1,5 @@
 //! Stresses of the plating of a landing along length and girth: boundary elements in sections chosen by load (THEORY EN63, EN64).
 
-use std::f64::consts::{PI, TAU};
-
-use fsi_coupling::PanelEnd;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use run::summary::Peak;
 use run::{Outcome, RunOptions, load_text};
@@ -11,7 +8,8 @@ use water_entry::ditching::{GirthPressure, Hull, Landing, LandingResult, PlaneHi
 
 use super::checked::{hull, landing};
 use super::model::Scene;
-use super::plating_keys::{Bay, PlateEnd, PlateMaterial, PlatingKeys};
+use super::plate_strip::{static_stress, wet_period};
+use super::plating_keys::{Bay, PlateMaterial, PlatingKeys};
 use super::section_text::{SectionEntry, bay_name};
 
 /// Folder of the sections' scenes.
@@ -28,8 +26,6 @@ const DEEP: f64 = 0.95;
 const SAME: f64 = 0.25;
 /// After the chosen load a section is followed for this share of the time from the contact to it [-], and for a wet period of the bay.
 const AFTER: f64 = 0.25;
-/// Largest mass of the water that moves with a bay, over that of water as deep as the bay is long [-].
-const WATER: f64 = 0.5;
 
 /// Stresses of a plating.
 #[derive(Clone, Debug, Serialize)]
@@ -231,23 +227,6 @@ fn cut(keys: &PlatingKeys, hull: &Hull, history: PlaneHistory, x: f64, [time, en
     (rows.len() > 1 && rows[rows.len() - 1].time >= time).then_some(PlaneHistory { rows })
 }
 
-/// The longest period of the first mode of a bay of a length [m] with the water below it [s].
-fn wet_period(keys: &PlatingKeys, plate: &PlateMaterial, bay: &Bay, length: f64, water: f64) -> f64 {
-    let span = span(bay, length);
-    let bending = plate.youngs_modulus * keys.thickness.powi(3) / (12.0 * (1.0 - plate.poissons_ratio.powi(2)));
-    let root = match keys.ends {
-        PlateEnd::Clamped => 4.73,
-        PlateEnd::Pinned => PI,
-    };
-    let mass = plate.density * keys.thickness + WATER * water * span;
-    TAU * (span / root).powi(2) * (mass / bending).sqrt()
-}
-
-/// Length between the supports of a bay of a length on one side [m].
-fn span(bay: &Bay, length: f64) -> f64 {
-    if bay.ends[0] == PanelEnd::Mirror { 2.0 * length } else { length }
-}
-
 /// Follow a section. Of each bay: largest stress of the strip that is in the plane, at each row of its series.
 fn follow(scene: &Scene, hull: &Hull, chosen: &Chosen<'_>) -> (PlatingSection, Vec<Vec<Place>>) {
     let (keys, mut section) = (chosen.keys, chosen.section.clone());
@@ -342,16 +321,6 @@ fn under_mean_pressure(landing: &Landing<'_>, run: &LandingResult, keys: &Platin
     };
     let bays = bays.iter().zip(&cells).map(of_bay).collect();
     PlatingStress { name: keys.name.clone(), ends_m: [keys.from, keys.to], bays, sections: Vec::new(), cells }
-}
-
-/// EN64: largest stress of a plate strip of a length [m] under a pressure [Pa]; a mirrored one is twice as long.
-fn static_stress(keys: &PlatingKeys, bay: &Bay, length: f64, pressure: f64) -> f64 {
-    let span = span(bay, length);
-    let of_moment = match keys.ends {
-        PlateEnd::Clamped => 0.5,
-        PlateEnd::Pinned => 0.75,
-    };
-    of_moment * pressure * (span / keys.thickness).powi(2)
 }
 
 /// The largest stress of each plating, a line for each.

@@ -8,8 +8,6 @@ use settings::{Problem, require};
 use water_entry::EntryModel;
 use water_entry::ditching::Hull;
 
-use super::model::Scene;
-
 /// Bays of a plating, at most.
 const MOST_BAYS: usize = 12;
 /// Shortest bay, as a share of the girth: shorter ones are shorter than the elements of the water.
@@ -123,12 +121,12 @@ impl PlatingKeys {
 }
 
 /// Refuses plating that is not on the bottom, or without a material.
-pub(super) fn check(scene: &Scene, hull: &Hull) -> Result<(), Problem> {
-    let [first, last] = hull.fuselage().ends();
-    for (k, keys) in scene.plating.iter().enumerate() {
+pub(super) fn check(plating: &[PlatingKeys], hull: &Hull) -> Result<(), Problem> {
+    let ([first, last], model) = (hull.fuselage().ends(), hull.model());
+    for (k, keys) in plating.iter().enumerate() {
         let key = |name: &str| format!("plating[{k}].{name}");
         let expected = "wagner or mlm beside plating: von_karman has no pressures";
-        require(scene.model != EntryModel::VonKarman, "model", scene.model.name(), expected)?;
+        require(model != EntryModel::VonKarman, "model", model.name(), expected)?;
         let expected = format_args!("a place from {first} to {last} m");
         require((first..last).contains(&keys.from), &key("from"), keys.from, expected)?;
         let expected = format_args!("more than {}, {} m, and up to {last} m", key("from"), keys.from);

@@ -8,7 +8,7 @@ use super::plating_keys::{Bay, PlateMaterial, PlatingKeys};
 use super::stations::shape_keys;
 
 /// Width and depth of the tank over the section's breadth [-].
-const TANK: [f64; 2] = [8.0, 2.0];
+const TANK: [f64; 2] = [8.0, 3.0];
 
 /// A section on its way into its plane of water.
 pub(super) struct SectionEntry<'a> {

@@ -3,8 +3,8 @@
 use super::landing::{FlightMoment, Landing};
 use super::strip::{Bottom, KeelPoint, along};
 
-/// Halvings of an interval in a search for a place or a time.
-const HALVINGS: usize = 60;
+/// Bisections of an interval in a search for a place or a time.
+const BISECTIONS: usize = 60;
 
 /// EN63: the keel in a plane of water, from its contact with the surface to where it leaves the water, or the fuselage the plane.
 #[derive(Clone, Debug, PartialEq)]
@@ -65,7 +65,7 @@ impl Landing<'_> {
             if !(abscissa(k, to)..=abscissa(k, from)).contains(&place) {
                 return None;
             }
-            for _ in 0..HALVINGS {
+            for _ in 0..BISECTIONS {
                 let middle = 0.5 * (from + to);
                 if abscissa(k, middle) > place { from = middle } else { to = middle }
             }
@@ -118,7 +118,7 @@ fn contact(dry: &PlaneMoment, wet: &PlaneMoment) -> PlaneMoment {
     let bends = [3.0 * rise - 2.0 * dry.speed - wet.speed, dry.speed + wet.speed - 2.0 * rise];
     let draught = |s: f64| dry.draught + dt * s * (dry.speed + s * (bends[0] + s * bends[1]));
     let [mut from, mut to] = [0.0, 1.0];
-    for _ in 0..HALVINGS {
+    for _ in 0..BISECTIONS {
         let middle = 0.5 * (from + to);
         if draught(middle) > 0.0 { to = middle } else { from = middle }
     }
