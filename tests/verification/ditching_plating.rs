@@ -46,7 +46,7 @@ end = 0.02
 least_speed = 1.0
 [aeroplane]
 mass = 1e9
-radius_of_gyration = 1e3
+radius_of_gyration = 2.5
 center_of_mass = [5.0, 1.0]
 [wing]
 area = 1.0

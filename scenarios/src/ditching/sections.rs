@@ -19,6 +19,9 @@ const SPACINGS: f64 = 200.0;
 /// Particle spacings in the draught that is compared, at least: from sixteen on the force of an entry is within 1 %.
 const SPACINGS_DEEP: f64 = 16.0;
 
+/// End of a scene over the time of the load that is compared [-].
+const BEYOND: f64 = 1.2;
+
 /// Particle spacings in a bay of plating, at least: eight elements.
 const SPACINGS_OF_BAY: f64 = 16.0;
 
@@ -105,16 +108,21 @@ pub fn section_scenes(scene: &Scene, landed: &Landed, count: usize) -> Vec<Secti
     let place = |k: usize| entries.get((2 * k + 1) * entries.len() / (2 * count));
     let scene_of = |entry: &ImpactingPart| {
         let history = landing.plane_history(&landed.run.flight, moments[at].time, entry.at.x)?;
-        Some(section_scene(&SectionEntry { scene, hull: &hull, x: entry.at.x, history }, moments[at].time))
+        Some(section_scene(SectionEntry { scene, hull: &hull, x: entry.at.x, history }, moments[at].time))
     };
     (0..count).filter_map(place).filter_map(scene_of).collect()
 }
 
-fn section_scene(entry: &SectionEntry<'_>, time: f64) -> SectionScene {
-    let SectionEntry { scene, hull, x, history } = entry;
+fn section_scene(mut entry: SectionEntry<'_>, time: f64) -> SectionScene {
+    let contact = entry.contact();
+    let end = contact + BEYOND * (time - contact);
+    let rows = &mut entry.history.rows;
+    let kept = rows.iter().position(|row| row.time >= end).map_or(rows.len(), |k| k + 1);
+    rows.truncate(kept.max(2));
+    let end = end.min(rows[rows.len() - 1].time) - contact;
+    let SectionEntry { scene, hull, x, history } = &entry;
     let rows = &history.rows;
-    let now = rows.iter().find(|row| row.time >= time).unwrap_or(&rows[rows.len() - 1]);
-    let (contact, last) = (entry.contact(), rows[rows.len() - 1].time);
+    let now = rows.iter().find(|row| row.time >= (1.0 - 1e-9) * time).unwrap_or(&rows[rows.len() - 1]);
     let time_s = now.time - contact;
     let name = format!("{}_{x:04.1}m", scene.name).replace('.', "p");
     let SectionLoad { slam, added_mass, area, .. } = hull.at(*x, now.draught);
@@ -138,7 +146,6 @@ fn section_scene(entry: &SectionEntry<'_>, time: f64) -> SectionScene {
     let spacing = (entry.breadth() / SPACINGS).min(now.draught / SPACINGS_DEEP);
     let spacing = shortest.map(|length| length / SPACINGS_OF_BAY).fold(spacing, f64::min);
     let panels: String = plates.iter().map(|(keys, plate)| entry.panels(keys, plate, None)).collect();
-    let end = (1.2 * time_s).min(last - contact);
     let tail = format!("{panels}\n[[gauges]]\nname = \"keel\"\nat = [0.0, 0.0]\n");
     SectionScene { name, text: entry.text(&head, [end, end / 400.0], spacing, &tail), time_s, by_theory }
 }
