@@ -54,6 +54,8 @@ pub struct BayStress {
     /// Where that is, from the nose [m].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub at_m: Option<f64>,
+    /// Is its section doubtful? Its `doubt` says why.
+    pub doubtful: bool,
     /// Allowable stress over it [-]; absent without one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub reserve_factor: Option<f64>,
@@ -91,18 +93,19 @@ pub struct PlatingSection {
     pub doubt: Option<String>,
 }
 
-/// A value of a cell: stress [Pa], time [s], place from the nose [m].
+/// A value of a cell: stress [Pa], time [s], place from the nose [m], and whether it is doubtful.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Place {
     value: f64,
     time: f64,
     x: f64,
+    doubtful: bool,
 }
 
 impl Place {
-    fn keep(&mut self, value: f64, time: f64, x: f64) {
-        if value > self.value {
-            *self = Place { value, time, x };
+    fn keep(&mut self, other: Place) {
+        if other.value > self.value {
+            *self = other;
         }
     }
 
@@ -115,10 +118,11 @@ impl Place {
     }
 }
 
-/// A section to follow.
+/// A section to follow with one of its bays.
 struct Chosen<'a> {
     keys: &'a PlatingKeys,
     plate: PlateMaterial,
+    bay: usize,
     section: PlatingSection,
     history: Option<PlaneHistory>,
 }
@@ -131,26 +135,22 @@ pub(super) fn stresses(scene: &Scene, run: &LandingResult) -> Vec<PlatingStress>
     let mut plating: Vec<_> = scene.plating.iter().filter_map(with_plate).collect();
     let chosen: Vec<Chosen<'_>> =
         plating.iter().flat_map(|(found, keys, plate)| choose(&landing, run, found, (keys, *plate))).collect();
-    let followed: Vec<(PlatingSection, Vec<Vec<Place>>)> =
+    let followed: Vec<(PlatingSection, Vec<Place>)> =
         chosen.par_iter().map(|chosen| follow(scene, &hull, chosen)).collect();
     for (found, keys, plate) in &mut plating {
         let own = chosen.iter().zip(&followed).filter(|(chosen, _)| chosen.keys.name == keys.name);
-        for (_, (section, places)) in own {
+        for (chosen, (section, places)) in own.clone() {
             found.sections.push(section.clone());
-            for (cells, places) in found.cells.iter_mut().zip(places) {
-                places.iter().for_each(|p| cells[cell(keys, p.x)][0].keep(p.value, p.time, p.x));
-            }
+            places.iter().for_each(|p| found.cells[chosen.bay][cell(keys, p.x)][0].keep(*p));
         }
         // a cell whose own section could not be followed has no stress
-        let refused = found.sections.iter().filter(|section| section.refused.is_some());
-        for section in refused {
-            let of_bay = found.bays.iter().zip(&mut found.cells).find(|(bay, _)| bay.girth == section.girth);
-            of_bay.into_iter().for_each(|(_, cells)| cells[cell(keys, section.x_m)][0] = Place::default());
+        for (chosen, (section, _)) in own.filter(|(_, (section, _))| section.refused.is_some()) {
+            found.cells[chosen.bay][cell(keys, section.x_m)][0] = Place::default();
         }
         for (bay, cells) in found.bays.iter_mut().zip(&found.cells) {
             let most = Place::most(cells.iter().map(|cell| cell[0]));
             if most.value > 0.0 {
-                (bay.stress_pa, bay.at_m) = (Some(most.peak()), Some(most.x));
+                (bay.stress_pa, bay.at_m, bay.doubtful) = (Some(most.peak()), Some(most.x), most.doubtful);
                 bay.reserve_factor = plate.allowable.map(|allowable| allowable / most.value);
             }
         }
@@ -163,27 +163,29 @@ fn cell(keys: &PlatingKeys, x: f64) -> usize {
     (((x - keys.from) / (keys.to - keys.from) * keys.sections as f64) as usize).min(keys.sections - 1)
 }
 
-/// The sections of a plating: for each bay and cell the plane of water that presses most there, each plane once, the most loaded first.
+/// The sections of a plating: for each bay and cell the plane of water that presses most there, each plane of a bay once, the most loaded first.
 fn choose<'a>(
     landing: &Landing<'_>,
     run: &LandingResult,
     found: &PlatingStress,
     (keys, plate): (&'a PlatingKeys, PlateMaterial),
 ) -> Vec<Chosen<'a>> {
-    let of_bay = |(bay, cells): (Bay, &Vec<[Place; 2]>)| {
+    let of_bay = |(bay, cells): (usize, &Vec<[Place; 2]>)| {
         let loaded = cells.iter().map(|cell| cell[1]).filter(|place| place.value > 0.0);
         loaded.map(|place| (bay, place)).collect::<Vec<_>>()
     };
-    let mut places: Vec<(Bay, Place)> = keys.bays().into_iter().zip(&found.cells).flat_map(of_bay).collect();
+    let bays = keys.bays();
+    let mut places: Vec<(usize, Place)> = found.cells.iter().enumerate().flat_map(of_bay).collect();
     places.sort_by(|a, b| b.1.value.total_cmp(&a.1.value));
     let near = SAME * (keys.to - keys.from) / keys.sections as f64;
     let mut chosen: Vec<Chosen<'a>> = Vec::new();
-    for (bay, place) in places {
+    for (k, place) in places {
+        let bay = bays[k];
         let is_known = |other: &Chosen<'_>| {
             let way = other.history.as_ref().filter(|way| way.covers(place.time));
             way.is_some_and(|way| (way.place(place.time) - place.x).abs() < near)
         };
-        if chosen.iter().any(is_known) {
+        if chosen.iter().filter(|other| other.bay == k).any(is_known) {
             continue;
         }
         let (length, water) = ((bay.girth[1] - bay.girth[0]) * landing.hull.girth(place.x), landing.water.density);
@@ -206,7 +208,7 @@ fn choose<'a>(
             refused: None,
             doubt: None,
         };
-        chosen.push(Chosen { keys, plate, section, history });
+        chosen.push(Chosen { keys, plate, bay: k, section, history });
     }
     chosen
 }
@@ -227,53 +229,54 @@ fn cut(keys: &PlatingKeys, hull: &Hull, history: PlaneHistory, x: f64, [time, en
     (rows.len() > 1 && rows[rows.len() - 1].time >= time).then_some(PlaneHistory { rows })
 }
 
-/// Follow a section. Of each bay: largest stress of the strip that is in the plane, at each row of its series.
-fn follow(scene: &Scene, hull: &Hull, chosen: &Chosen<'_>) -> (PlatingSection, Vec<Vec<Place>>) {
+/// Follow a section. Of its bay: largest stress of the strip that is in the plane, at each row of its series.
+fn follow(scene: &Scene, hull: &Hull, chosen: &Chosen<'_>) -> (PlatingSection, Vec<Place>) {
     let (keys, mut section) = (chosen.keys, chosen.section.clone());
     let Some(history) = chosen.history.clone() else {
         let why = "its plane of water meets an end of the fuselage first, or the section rises or is pulled before";
         return (PlatingSection { refused: Some(why.into()), ..section }, Vec::new());
     };
     let entry = SectionEntry { scene, hull, x: section.x_m, history };
-    let (name, text) = scene_of(&entry, keys, &chosen.plate, section.time_s);
+    let (name, text) = scene_of(&entry, chosen);
     let outcome = by_boundary_elements(&name, &text);
     (section.scene, section.text) = (Some(format!("{FOLDER}/{name}.toml")), Some(text));
-    match outcome {
-        Ok(outcome) => {
-            section.doubt = outcome.summary.message.clone();
-            let times = outcome.series.times();
-            let of_bay = |bay: usize| {
-                let column = format!("{}.stress_Pa", bay_name(&keys.name, bay));
-                let stress = outcome.series.column(&column).unwrap_or_default();
-                let places = times.iter().zip(stress).map(|(time, stress)| {
-                    let time = time + entry.contact();
-                    Place { value: stress.abs(), time, x: entry.history.place(time) }
-                });
-                places.filter(|p| (keys.from..=keys.to).contains(&p.x)).collect()
-            };
-            let places = (0..keys.bays().len()).map(of_bay).collect();
-            (section, places)
-        }
-        Err(why) => (PlatingSection { refused: Some(why), ..section }, Vec::new()),
-    }
+    let outcome = match outcome {
+        Ok(outcome) => outcome,
+        Err(why) => return (PlatingSection { refused: Some(why), ..section }, Vec::new()),
+    };
+    let panel = bay_name(&keys.name, chosen.bay);
+    let doubts = outcome.summary.doubts.iter();
+    let of_stress = doubts.filter(|doubt| !doubt.why.beyond_limit && doubt.about.contains(&panel));
+    let reasons: Vec<&str> = of_stress.map(|doubt| doubt.why.text.as_str()).collect();
+    section.doubt = (!reasons.is_empty()).then(|| reasons.join("; "));
+    let doubtful = section.doubt.is_some();
+    let stress = outcome.series.column(&format!("{panel}.stress_Pa")).unwrap_or_default();
+    let places = outcome.series.times().into_iter().zip(stress).map(|(time, stress)| {
+        let time = time + entry.contact();
+        Place { value: stress.abs(), time, x: entry.history.place(time), doubtful }
+    });
+    (section, places.filter(|p| (keys.from..=keys.to).contains(&p.x)).collect())
 }
 
-/// Name and text of the scene of a section with its panels by boundary elements; `time` [s] is when its load is largest.
-fn scene_of(entry: &SectionEntry<'_>, keys: &PlatingKeys, plate: &PlateMaterial, time: f64) -> (String, String) {
+/// Name and text of the scene of a section whose bay bends, by boundary elements.
+fn scene_of(entry: &SectionEntry<'_>, chosen: &Chosen<'_>) -> (String, String) {
+    let Chosen { keys, plate, bay, section, .. } = chosen;
     let rows = &entry.history.rows;
     let end = rows[rows.len() - 1].time - rows[0].time;
-    let shortest = keys.bays().iter().map(|bay| entry.bay_length(bay)).fold(f64::INFINITY, f64::min);
-    let name = format!("{}_{:.2}m_{time:.3}s", keys.name, entry.x).replace('.', "p");
+    let panel = bay_name(&keys.name, *bay);
+    let name = format!("{panel}_{:.2}m_{:.3}s", entry.x, section.time_s).replace('.', "p");
     let head = format!(
-        "# Plating {} at {:.2} m from the nose on the way that its plane of water sees, from the contact at {:.4} s of the landing {} on.\n\
-         name = \"{name}\"\nmodel = \"boundary_element\"\n",
+        "# Bay {} of plating {} at {:.2} m from the nose on the way that its plane of water sees, from the contact at {:.4} s of the\n\
+         # landing {} on.\nname = \"{name}\"\nmodel = \"boundary_element\"\n",
+        bay + 1,
         keys.name,
         entry.x,
         entry.contact(),
         entry.scene.name,
     );
-    let panels = entry.panels(keys, plate, Some(ELEMENTS));
-    (name, entry.text(&head, [end, end / ROWS], shortest / (2.0 * ELEMENTS as f64), &panels))
+    let panels = entry.panels(keys, plate, Some((*bay, ELEMENTS)));
+    let spacing = entry.bay_length(&keys.bays()[*bay]) / (2.0 * ELEMENTS as f64);
+    (name, entry.text(&head, [end, end / ROWS], spacing, &panels))
 }
 
 /// A scene's run; or why there is none.
@@ -304,7 +307,8 @@ fn under_mean_pressure(landing: &Landing<'_>, run: &LandingResult, keys: &Platin
                 let ends = bay.girth.map(|share| share * girth);
                 let mean = pressure.over(ends) / (ends[1] - ends[0]);
                 let place = &mut cells[cell(keys, part.at.x)][1];
-                place.keep(static_stress(keys, bay, ends[1] - ends[0], mean), now.time, part.at.x);
+                let value = static_stress(keys, bay, ends[1] - ends[0], mean);
+                place.keep(Place { value, time: now.time, x: part.at.x, doubtful: false });
             }
         }
     }
@@ -314,6 +318,7 @@ fn under_mean_pressure(landing: &Landing<'_>, run: &LandingResult, keys: &Platin
             girth: bay.girth,
             stress_pa: None,
             at_m: None,
+            doubtful: false,
             reserve_factor: None,
             static_stress_pa: most.peak(),
             static_at_m: most.x,
@@ -326,17 +331,18 @@ fn under_mean_pressure(landing: &Landing<'_>, run: &LandingResult, keys: &Platin
 /// The largest stress of each plating, a line for each.
 pub(super) fn lines(plating: &[PlatingStress]) -> String {
     let line = |p: &PlatingStress| {
-        let of_bay = |bay: &BayStress| Some((bay.stress_pa.clone()?, bay.at_m?, bay.reserve_factor));
+        let of_bay = |bay: &BayStress| Some((bay.stress_pa?, bay.at_m?, bay));
         let found = p.bays.iter().filter_map(of_bay).max_by(|a, b| a.0.value.total_cmp(&b.0.value));
         let left_out = p.sections.iter().filter(|section| section.refused.is_some()).count();
         let left_out = match left_out {
             0 => String::new(),
             some => format!("; {some} of {} sections could not be followed", p.sections.len()),
         };
-        let most = found.map_or("no stress by boundary elements".to_string(), |(peak, at, reserve)| {
-            let reserve = reserve.map_or(String::new(), |factor| format!(", reserve factor {factor:.2}"));
+        let most = found.map_or("no stress by boundary elements".to_string(), |(peak, at, bay)| {
+            let reserve = bay.reserve_factor.map_or(String::new(), |factor| format!(", reserve factor {factor:.2}"));
+            let doubtful = if bay.doubtful { ", doubtful" } else { "" };
             format!(
-                "largest stress {:.0} MPa {at:.1} m from the nose at {:.3} s{reserve}",
+                "largest stress {:.0} MPa {at:.1} m from the nose at {:.3} s{reserve}{doubtful}",
                 1e-6 * peak.value,
                 peak.time_s
             )

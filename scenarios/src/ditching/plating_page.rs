@@ -20,7 +20,7 @@ fn bays(plating: &PlatingStress) -> Table {
         let stress = bay.stress_pa.as_ref();
         vec![
             format!("{low} to {high} %"),
-            stress.map_or_else(none, |p| digits(unit.scale * p.value)),
+            stress.map_or_else(none, |p| digits(unit.scale * p.value) + if bay.doubtful { ", doubtful" } else { "" }),
             bay.at_m.map_or_else(none, digits),
             stress.map_or_else(none, |p| digits(p.time_s)),
             bay.reserve_factor.map_or_else(none, digits),
@@ -60,7 +60,7 @@ fn notes(plating: &PlatingStress) -> Vec<Block> {
     };
     let head = ["from the nose [m]", "time [s]", "bay", "its stress at rest", "boundary elements"];
     vec![Block::Table(Table::new(
-        &format!("Sections of plating {}: where the pressure on a bay is largest", plating.name),
+        format!("Sections of plating {}: where the pressure on a bay is largest", plating.name),
         &head,
         plating.sections.iter().map(line).collect(),
     ))]

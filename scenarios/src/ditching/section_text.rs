@@ -68,8 +68,8 @@ impl SectionEntry<'_> {
         (bay.girth[1] - bay.girth[0]) * self.hull.girth(self.x)
     }
 
-    /// The panels of a plating on it, with a number of elements each if one is given.
-    pub fn panels(&self, keys: &PlatingKeys, plate: &PlateMaterial, elements: Option<usize>) -> String {
+    /// The panels of a plating on it: of all its bays, or of one, of which number and elements are given.
+    pub fn panels(&self, keys: &PlatingKeys, plate: &PlateMaterial, only: Option<(usize, usize)>) -> String {
         let (form, breadth) = (self.form(), self.breadth());
         let panel = |(k, bay): (usize, Bay)| {
             let [from, to] = bay.girth.map(|share| form.at_girth(breadth, share));
@@ -78,7 +78,7 @@ impl SectionEntry<'_> {
                 PanelEnd::Pinned => "pinned",
                 _ => "clamped",
             });
-            let elements = elements.map_or(String::new(), |count| format!("elements = {count}\n"));
+            let elements = only.map_or(String::new(), |(_, count)| format!("elements = {count}\n"));
             let allowable =
                 plate.allowable.map_or(String::new(), |allowable| format!("allowable_stress = {allowable:?}\n"));
             format!(
@@ -91,7 +91,8 @@ impl SectionEntry<'_> {
                 plate.density
             )
         };
-        keys.bays().into_iter().enumerate().map(panel).collect()
+        let bays = keys.bays().into_iter().enumerate();
+        bays.filter(|(k, _)| only.is_none_or(|(bay, _)| bay == *k)).map(panel).collect()
     }
 }
 
