@@ -331,8 +331,8 @@ fn under_mean_pressure(landing: &Landing<'_>, run: &LandingResult, keys: &Platin
 /// The largest stress of each plating, a line for each.
 pub(super) fn lines(plating: &[PlatingStress]) -> String {
     let line = |p: &PlatingStress| {
-        let of_bay = |bay: &BayStress| Some((bay.stress_pa?, bay.at_m?, bay));
-        let found = p.bays.iter().filter_map(of_bay).max_by(|a, b| a.0.value.total_cmp(&b.0.value));
+        let found = p.bays.iter().filter_map(|bay| Some((bay.stress_pa?, bay.at_m?, bay)));
+        let found = found.max_by(|a, b| a.0.value.total_cmp(&b.0.value));
         let left_out = p.sections.iter().filter(|section| section.refused.is_some()).count();
         let left_out = match left_out {
             0 => String::new(),
