@@ -256,7 +256,7 @@ impl Body {
     /// Where a table of its places has a velocity that jumps.
     pub(crate) fn kinks(&self) -> Option<String> {
         let Motion::Tabulated(table) = &self.motion else { return None };
-        table.kinks(&self.name)
+        table.kinks(&self.name).or_else(|| table.jitter(&self.name))
     }
 
     /// Whether all of it is under the still water at t = 0.

@@ -9,6 +9,9 @@ use settings::significant;
 const NOTABLE: f64 = 0.1;
 const STANDS_OUT: f64 = 4.0;
 
+/// Jitter of a table's accelerations that is reported: what it changes in a force, over the force [-].
+const JITTERS: f64 = 0.05;
+
 /// Largest speed of tabulated displacements [m/s, deg/s].
 const FASTEST: f64 = 1e4;
 
@@ -95,6 +98,35 @@ impl Displacements {
                     rows[k + 2][0]
                 )
             })
+        })
+    }
+
+    /// Whether the accelerations of `name` up and down go up and down from row to row, as those of rounded places do: by how much, times the
+    /// depth over the squared speed, is about what it changes in a force that grows as the depth does.
+    pub(super) fn jitter(&self, name: &str) -> Option<String> {
+        let rows = &self.displacements;
+        let length = |k: usize| rows[k + 1][0] - rows[k][0];
+        let slope = |k: usize| (rows[k + 1][2] - rows[k][2]) / length(k);
+        let intervals = rows.len() - 1;
+        // with velocities, what the places add to their accelerations
+        let acceleration = |k: usize| match self.displacement_rates.is_empty() {
+            true => (slope(k + 1) - slope(k)) / (0.5 * (length(k) + length(k + 1))),
+            false => 6.0 * (slope(k) - 0.5 * (self.velocities(k)[1] + self.velocities(k + 1)[1])) / length(k),
+        };
+        let count = if self.displacement_rates.is_empty() { intervals.saturating_sub(1) } else { intervals };
+        let all: Vec<f64> = (0..count).map(acceleration).collect();
+        let jumps: Vec<f64> = all.windows(3).map(|w| w[1] - 0.5 * (w[0] + w[2])).collect();
+        let turns = jumps.windows(2).filter(|w| w[0] * w[1] < 0.0).count();
+        let Descent { speed, depth } = self.descent(f64::INFINITY);
+        let jitter = (jumps.iter().map(|jump| jump * jump).sum::<f64>() / jumps.len().max(1) as f64).sqrt();
+        let share = jitter * depth / (speed * speed);
+        (share > JITTERS && 2 * turns >= jumps.len().saturating_sub(1)).then(|| {
+            format!(
+                "the accelerations of {name}'s table go up and down from row to row by {} m/s², as those of rounded places do: forces are off by about \
+                 {} %: give more digits, or fewer rows",
+                significant(jitter),
+                significant((100.0 * share).min(100.0))
+            )
         })
     }
 
@@ -221,6 +253,29 @@ mod tests {
         let smooth = |k: i32| [0.1 * f64::from(k), 0.0, (0.5 * f64::from(k)).sin(), 0.0];
         let table = Displacements { displacements: (0..30).map(smooth).collect(), displacement_rates: Vec::new() };
         assert_eq!(table.kinks("box"), None);
+    }
+
+    /// A constant deceleration in six rows: exact, it says nothing; rounded to a millimetre, its accelerations do not hold.
+    #[test]
+    fn rounded_places_are_reported() {
+        let exact = |t: f64| -(5.0 * t - 50.0 * t * t);
+        let table = |digits: f64, rates: bool| {
+            let times = (0..6).map(|k| 0.003 * f64::from(k));
+            let place = |t: f64| (exact(t) * digits).round() / digits;
+            Displacements {
+                displacements: times.clone().map(|t| [t, 0.0, place(t), 0.0]).collect(),
+                displacement_rates: times.filter(|_| rates).map(|t| [0.0, -5.0 + 100.0 * t, 0.0]).collect(),
+            }
+        };
+        for rates in [false, true] {
+            assert_eq!(table(1e9, rates).jitter("box"), None);
+            assert!(table(1e3, rates).jitter("box").is_some_and(|notes| notes.contains("rounded places")));
+        }
+        // a deceleration that rises and falls within a few rows is none
+        let impact =
+            |k: i32| [1e-3 * f64::from(k), 0.0, -5e-3 * f64::from(k) + 5e-3 * (0.1 * f64::from(k)).sin().powi(4), 0.0];
+        let smooth = Displacements { displacements: (0..30).map(impact).collect(), displacement_rates: Vec::new() };
+        assert_eq!(smooth.jitter("box"), None);
     }
 
     /// A table of velocities: they are the body's at the rows, and linear between.
