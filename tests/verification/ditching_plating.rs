@@ -113,7 +113,7 @@ fn a_fuselage_that_falls_flat_has_the_stress_of_a_wedge() {
 /// Pressures are those of the landing's theory: EN64 of twice the thickness has a quarter of the stress, of pinned plates one and a half times.
 #[test]
 fn stresses_at_rest_follow_the_plate() {
-    let at_rest = |text: &str| stresses("flat_fall_at_rest", text).0[0].bays[0].static_stress_pa.value;
+    let at_rest = |text: &str| stresses("flat_fall_at_rest", text).0[0].bays[0].static_stress_pa.expect("a load").value;
     let (thin, thick) = (at_rest(&plating("")), at_rest(&plating("").replace("thickness = 0.02", "thickness = 0.04")));
     assert!((thin / thick - 4.0).abs() < 1e-9);
     assert!((at_rest(&plating("ends = \"pinned\"\n")) / thin - 1.5).abs() < 1e-9);
@@ -133,6 +133,10 @@ fn wrong_plating_is_refused_with_key_and_place() {
     refused(&with("[0.0, 1.0]", "[]"), &["plating[0].supports", "1 to 12 bays"]);
     refused(&with("density = 2700.0\n", ""), &["plating[0].density", "a material by name"]);
     refused(&with("thickness = 0.02", "thickness = 0.0"), &["plating[0].thickness"]);
+    refused(
+        &with("thickness = 0.02", "thickness = 0.4"),
+        &["plating[0].thickness", "at most half the shortest bay, 0.3193 m"],
+    );
     refused(&with("name = \"side\"", "name = \"two words\""), &["plating[0].name"]);
     refused(&plating("ends = \"free\"\n"), &["plating[0].ends", "clamped", "pinned"]);
     refused(&plating("thicknes = 1\n"), &["plating[0].thicknes", "thickness"]);

@@ -28,8 +28,10 @@ mod page;
 mod parts;
 mod plate_strip;
 mod plating;
+mod plating_choice;
 mod plating_keys;
 mod plating_page;
+mod plating_run;
 mod sea;
 mod sea_keys;
 mod section_text;
@@ -148,7 +150,7 @@ pub fn run(scene: &Scene, out: &Path, force: bool) -> Result<Landed, RunError> {
         write(&out.join(name), &text)?;
     }
     if !scene.plating.is_empty() {
-        let folder = out.join(plating::FOLDER);
+        let folder = out.join(plating_run::FOLDER);
         fs::create_dir_all(&folder).map_err(|e| RunError::Write(folder.display().to_string(), e))?;
         for (name, text) in plating::scenes(&landed.summary.structure.plating) {
             write(&out.join(name), text)?;

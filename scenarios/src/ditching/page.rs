@@ -260,9 +260,18 @@ fn limits(scene: &Scene, warnings: &[String]) -> String {
         "Struts: drag of the immersed part of wheels and leg in a steady stream, the buoyancy of floats, spring and damper along the normal of the body \
          axis. No skipping of tyres, no spray, no cavity that one wheel leaves to another, no side loads.",
     );
+    let of_plating = (!scene.plating.is_empty()).then_some(
+        "Plating: one bay bends at a time, elastic, in a section that keeps its shape; no change along the fuselage, no stress where the water \
+         pulls, none of stiffeners.",
+    );
     let of_panels = (!scene.panels.is_empty()).then_some(panels);
-    let items =
-        items.into_iter().chain(of_panels).chain(struts).map(str::to_string).chain(warnings.iter().map(|w| escape(w)));
+    let items = items
+        .into_iter()
+        .chain(of_panels)
+        .chain(struts)
+        .chain(of_plating)
+        .map(str::to_string)
+        .chain(warnings.iter().map(|w| escape(w)));
     list(items)
 }
 

@@ -4,7 +4,7 @@ use fsi_coupling::PanelEnd;
 use scene::{MATERIALS, MaterialName};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use settings::{Problem, require};
+use settings::{Problem, require, significant};
 use water_entry::EntryModel;
 use water_entry::ditching::Hull;
 
@@ -30,7 +30,7 @@ pub struct PlatingKeys {
     /// How the supports hold the plates: clamped, which is continuous over equal bays, or pinned.
     #[serde(default)]
     pub ends: PlateEnd,
-    /// Thickness; of a plate with stiffeners along the girth, that of a plate of the same bending stiffness [m].
+    /// Thickness; the stress is that of its outer fibres, which lie elsewhere in a plate with stiffeners along the girth [m].
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub thickness: f64,
     /// Material by name; `splashdown keywords material` lists the numbers. Keys that are given count before those of the name.
@@ -138,6 +138,11 @@ pub(super) fn check(plating: &[PlatingKeys], hull: &Hull) -> Result<(), Problem>
             "shares of the girth from 0 to 1 in order, at least {SHORTEST} apart, of 1 to {MOST_BAYS} bays"
         );
         require(inside && apart && count, &key("supports"), format!("{:?}", keys.supports), expected)?;
+        let shortest = keys.bays().iter().map(|bay| bay.girth[1] - bay.girth[0]).fold(f64::INFINITY, f64::min);
+        let girth = [keys.from, keys.to].map(|x| hull.girth(x)).into_iter().fold(f64::INFINITY, f64::min);
+        let thickest = 0.5 * shortest * girth;
+        let expected = format_args!("at most half the shortest bay, {} m", significant(thickest));
+        require(keys.thickness <= thickest, &key("thickness"), keys.thickness, expected)?;
         if keys.plate().is_none() {
             let name = if keys.youngs_modulus.is_none() { "youngs_modulus" } else { "density" };
             return Err(Problem::missing(&key(name), "a number, or a material by name"));

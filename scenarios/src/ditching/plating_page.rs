@@ -11,8 +11,9 @@ pub(super) fn blocks(plating: &[PlatingStress]) -> Vec<Block> {
 }
 
 fn bays(plating: &PlatingStress) -> Table {
-    let most =
-        plating.bays.iter().map(|bay| bay.stress_pa.as_ref().map_or(0.0, |p| p.value).max(bay.static_stress_pa.value));
+    let most = plating.bays.iter().map(|bay| {
+        bay.stress_pa.as_ref().map_or(0.0, |p| p.value).max(bay.static_stress_pa.as_ref().map_or(0.0, |p| p.value))
+    });
     let unit = Unit::of("Pa", most.fold(0.0, f64::max));
     let none = || "–".to_string();
     let line = |bay: &super::plating::BayStress| {
@@ -20,12 +21,15 @@ fn bays(plating: &PlatingStress) -> Table {
         let stress = bay.stress_pa.as_ref();
         vec![
             format!("{low} to {high} %"),
-            stress.map_or_else(none, |p| digits(unit.scale * p.value) + if bay.doubtful { ", doubtful" } else { "" }),
+            stress.map_or_else(none, |p| {
+                digits(unit.scale * p.value) + if bay.doubt.is_some() { ", doubtful" } else { "" }
+            }),
             bay.at_m.map_or_else(none, digits),
             stress.map_or_else(none, |p| digits(p.time_s)),
             bay.reserve_factor.map_or_else(none, digits),
-            digits(unit.scale * bay.static_stress_pa.value),
-            digits(bay.static_at_m),
+            bay.static_stress_pa.as_ref().map_or_else(none, |p| digits(unit.scale * p.value)),
+            bay.static_at_m.map_or_else(none, digits),
+            bay.doubt.clone().unwrap_or_default(),
         ]
     };
     let head = [
@@ -36,6 +40,7 @@ fn bays(plating: &PlatingStress) -> Table {
         "reserve factor".into(),
         format!("stress under the mean pressure at rest [{}]", unit.name),
         "from the nose [m]".into(),
+        "doubt".into(),
     ];
     let title = format!(
         "Plating {}: elastic stresses by boundary elements in sections chosen by load, without a known band; stress_map.csv has all cells",

@@ -98,5 +98,5 @@ impl SectionEntry<'_> {
 
 /// Name of a bay's panel.
 pub(super) fn bay_name(plating: &str, bay: usize) -> String {
-    format!("{plating}{}", bay + 1)
+    format!("{plating}_{}", bay + 1)
 }
