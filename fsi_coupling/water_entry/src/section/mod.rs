@@ -158,7 +158,7 @@ impl Section {
     pub fn convex(&self) -> Section {
         let corners = hull_of(&self.corners);
         let (slopes, areas) = (slopes_of(&corners), areas_of(&corners));
-        Section { slopes, areas, corners, radius: self.radius, curve: None, hollow: None, round_keel: self.round_keel }
+        Section { slopes, areas, corners, radius: self.radius, curve: None, hollow: None, round_keel: self.is_round() }
     }
 
     /// The same with corners next to the keel that stand for a round one: a section between two, one of them with such a keel.
