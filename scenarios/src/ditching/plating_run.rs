@@ -87,7 +87,7 @@ fn of_outcome(
     Followed { places, scene, refused: None, doubt }
 }
 
-/// Name and text of the scene of a section whose bay of so many elements bends, by boundary elements, up to an `end` after the contact [s].
+/// Name and text of the scene of a section whose bay bends, in this number of elements, by boundary elements, up to an `end` after the contact [s].
 fn scene_of(entry: &SectionEntry<'_>, chosen: &Chosen<'_>, elements: usize, end: f64) -> (String, String) {
     let Chosen { keys, plate, bay, load, .. } = chosen;
     let panel = bay_name(&keys.name, *bay);

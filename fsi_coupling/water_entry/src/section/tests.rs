@@ -45,6 +45,15 @@ fn an_outline_that_reaches_farther_out_than_its_bottom_is_refused() {
     assert!(Section::of_polygon(&high_deck).is_ok());
 }
 
+/// Half an ellipse in 25 points: a bottom that bends begins on its convex hull.
+#[test]
+fn the_convex_hull_of_a_round_bottom_is_round() {
+    let at = |k: i32| f64::from(k) * std::f64::consts::FRAC_PI_2 / 24.0;
+    let section = Section::new(&(0..=24).map(|k| [1.3 * at(k).sin(), 1.1 * (1.0 - at(k).cos())]).collect::<Vec<_>>());
+    let section = section.expect("a section");
+    assert!(section.is_round() && section.radius().is_none() && section.convex().is_round());
+}
+
 #[test]
 fn the_error_of_a_hollow_gives_its_depth_and_place() {
     let section = Section::new(&[[0.0, 0.0], [0.2, 0.1], [0.4, 0.15]]).expect("a section");
