@@ -147,19 +147,25 @@ impl Loads {
             let added = if x < c { rate * ((c * c - x * x).sqrt() + self.section.height(x) - draught) } else { 0.0 };
             return Some(density * (quasi_steady + added));
         }
+        let [over_v2, over_rate] = self.pressure_factors(x, draught, [c, spreading]);
+        Some(density * (over_v2 * speed * speed + over_rate * rate))
+    }
+
+    /// Pressure over ρV² [-] and over ρ dV/dt [m] by Wagner's or the modified Logvinovich model, at a distance x from the plane of symmetry [m] and a
+    /// draught h [m], under a wetted half width c [m] that grows by dc/dh [-].
+    pub(crate) fn pressure_factors(&self, x: f64, draught: f64, [c, spreading]: [f64; 2]) -> [f64; 2] {
         if x >= c {
-            return Some(0.0);
+            return [0.0; 2];
         }
         let root = (c * c - x * x).sqrt();
-        let slope = self.section.slope(x);
-        let (mut over_v2, mut over_rate) = (spreading * c / root, root);
-        if self.model == EntryModel::Mlm {
-            let across = 1.0 / (1.0 + slope * slope);
-            over_v2 -= 0.5 * (across * (c / root).powi(2) + 1.0 - across);
-            over_rate += self.section.height(x) - draught;
+        let (over_v2, over_rate) = (spreading * c / root, root);
+        if self.model != EntryModel::Mlm {
+            return [over_v2, over_rate];
         }
-        let pressure = density * (over_v2 * speed * speed + over_rate * rate);
-        Some(if self.model == EntryModel::Mlm && over_v2 < 0.0 { 0.0 } else { pressure })
+        let slope = self.section.slope(x);
+        let across = 1.0 / (1.0 + slope * slope);
+        let over_v2 = over_v2 - 0.5 * (across * (c / root).powi(2) + 1.0 - across);
+        if over_v2 < 0.0 { [0.0; 2] } else { [over_v2, over_rate + self.section.height(x) - draught] }
     }
 
     /// The draught at which c is wet, and the load there.

@@ -1,5 +1,7 @@
 //! The load before a flow by boundary elements can be followed (THEORY EN20, EN30, EN50).
 
+use std::array::from_fn;
+
 use super::super::loads::{Load, Loads};
 use super::super::model::OutOfRange;
 use super::super::section::Section;
@@ -38,20 +40,31 @@ impl Before {
         Ok(Before::Round(Box::new(Loads::before_flow(section)), gravity, between))
     }
 
-    /// At a draught h [m] and a downward speed V [m/s].
+    /// At a draught h [m] and a downward speed V [m/s]: force at constant speed and added mass, over the density [m³/s², m²].
+    pub fn forces(&self, h: f64, v: f64) -> [f64; 2] {
+        match self {
+            Before::Similar(load, [draught, speed]) => load.scaled_forces(h / draught, v / speed),
+            Before::Round(loads, gravity, _) => {
+                let Load { slam, added_mass, .. } = loads.at(h);
+                [slam * v * v + gravity * loads.section().still_area(h), added_mass]
+            }
+        }
+    }
+
+    /// The same with the pressure.
     pub fn load(&self, h: f64, v: f64) -> FlowLoad {
         match self {
             Before::Similar(load, [draught, speed]) => load.scaled(h / draught, v / speed),
-            Before::Round(loads, gravity, _) => {
-                let Load { wetted: c, slam, added_mass, .. } = loads.at(h);
-                let pressure = |x: f64, v: f64, rate: f64| loads.pressure(x, h, v, rate, 1.0).unwrap_or(0.0);
+            Before::Round(loads, ..) => {
+                let Load { wetted: c, spreading, .. } = loads.at(h);
                 let place = |k: usize| c * (0.5 * std::f64::consts::PI * k as f64 / PLACES as f64).cos();
-                let at = |x: f64| [x, pressure(x, v, 0.0), pressure(x, 0.0, 1.0)];
-                FlowLoad {
-                    force: slam * v * v + gravity * loads.section().still_area(h),
-                    added_mass,
-                    pressure: (0..=PLACES).map(|k| at(place(k))).collect(),
-                }
+                let at = |x: f64| {
+                    let within = h > 0.0 && x <= loads.section().half_breadth();
+                    let [slam, added] = if within { loads.pressure_factors(x, h, [c, spreading]) } else { [0.0; 2] };
+                    [x, slam * v * v, added]
+                };
+                let [force, added_mass] = self.forces(h, v);
+                FlowLoad { force, added_mass, pressure: (0..=PLACES).map(|k| at(place(k))).collect() }
             }
         }
     }
@@ -72,31 +85,39 @@ impl Before {
         }
     }
 
-    /// The load of a flow at a draught, or what stands for it: force and added mass change over linearly, the pressure at the half.
-    pub fn instead_of(&self, of_flow: FlowLoad, draught: f64, speed: f64) -> FlowLoad {
-        let share = self.share_of_flow(draught);
+    /// Force and added mass of a flow's load at a draught, or what stands for them: they change over linearly.
+    pub fn forces_instead_of(&self, of_flow: &FlowLoad, draught: f64, speed: f64) -> [f64; 2] {
+        let (share, of_flow) = (self.share_of_flow(draught), [of_flow.force, of_flow.added_mass]);
         if share >= 1.0 {
             return of_flow;
         }
-        let own = self.load(draught, speed);
-        let mix = |own: f64, of_flow: f64| own + share * (of_flow - own);
-        FlowLoad {
-            force: mix(own.force, of_flow.force),
-            added_mass: mix(own.added_mass, of_flow.added_mass),
-            pressure: if share > 0.5 { of_flow.pressure } else { own.pressure },
-        }
+        let own = self.forces(draught, speed);
+        from_fn(|k| own[k] + share * (of_flow[k] - own[k]))
+    }
+
+    /// The same with the pressure, which changes over at the half.
+    pub fn instead_of(&self, of_flow: FlowLoad, draught: f64, speed: f64) -> FlowLoad {
+        let [force, added_mass] = self.forces_instead_of(&of_flow, draught, speed);
+        let is_of_flow = self.share_of_flow(draught) > 0.5;
+        let pressure = if is_of_flow { of_flow.pressure } else { self.load(draught, speed).pressure };
+        FlowLoad { force, added_mass, pressure }
     }
 }
 
 impl FlowLoad {
     /// Of the similar flow with all lengths times `length` and all velocities times `speed`.
     fn scaled(&self, length: f64, speed: f64) -> FlowLoad {
-        let square = speed * speed;
+        let ([force, added_mass], square) = (self.scaled_forces(length, speed), speed * speed);
         FlowLoad {
-            force: self.force * length * square,
-            added_mass: self.added_mass * length * length,
+            force,
+            added_mass,
             pressure: self.pressure.iter().map(|[x, p, m]| [x * length, p * square, m * length]).collect(),
         }
+    }
+
+    /// Its force and its added mass.
+    fn scaled_forces(&self, length: f64, speed: f64) -> [f64; 2] {
+        [self.force * length * (speed * speed), self.added_mass * length * length]
     }
 
     /// Half breadth of the wet face [m].

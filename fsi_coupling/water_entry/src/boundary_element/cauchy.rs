@@ -1,23 +1,13 @@
 //! Cauchy's integral on quadratic elements (THEORY EN21): one factorised matrix for the potential and for its time derivative.
 
 use std::f64::consts::TAU;
+use std::ops::Range;
 
 use faer::c64;
 
 use super::buffer::Buffer;
 use super::factorised::Factorised;
 use super::influence::{Influence, Row};
-
-/// What is known of β = φ + iψ at a node.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Known {
-    /// The potential φ: on the free surface.
-    Potential,
-    /// The stream function ψ: on the body.
-    StreamFunction,
-    /// Both: where they meet.
-    Both,
-}
 
 /// Potential φ and stream function ψ at the nodes [m²/s], or their time derivatives.
 #[derive(Clone, Debug)]
@@ -26,50 +16,81 @@ pub(super) struct Complex {
     pub psi: Vec<f64>,
 }
 
-/// Coefficients of φ and ψ of the nodes in the equation of each node, by rows: that part of the equation whose diagonal is large
-/// (Vinje & Brevig 1981), the imaginary one where ψ alone is known.
-pub(super) struct Coefficients {
-    phi: Buffer,
-    psi: Buffer,
+/// The equations of the nodes of a contour, by rows: of each that part whose diagonal is large (Vinje & Brevig 1981), the imaginary one on the body.
+/// There ψ is known and φ not; on the surfaces the other way round. Where they meet both are known, and the equation of ψ is what it is.
+pub(super) struct Equations {
+    /// Factors of what is known of the nodes.
+    known: Buffer,
+    /// Factors of the unknowns: one of each node, and `more` after these.
+    unknown: Buffer,
     nodes: usize,
+    more: usize,
+    /// Nodes on the body, without those where the surfaces meet it.
+    body: Range<usize>,
 }
 
-impl Coefficients {
-    /// Zeros for a number of nodes.
-    pub fn zeros(nodes: usize) -> Coefficients {
-        let all = nodes * nodes;
-        Coefficients { phi: Buffer::zeros(all), psi: Buffer::zeros(all), nodes }
+impl Equations {
+    /// With zeros, for a number of nodes of which `body` are on the body, and `more` unknowns.
+    pub fn zeros(nodes: usize, body: Range<usize>, more: usize) -> Equations {
+        let size = nodes + more;
+        Equations { known: Buffer::zeros(nodes * nodes), unknown: Buffer::zeros(size * size), nodes, more, body }
     }
 
-    /// Of φ and of ψ in the equation of node `j`.
-    pub fn of(&self, j: usize) -> [&[f64]; 2] {
-        let start = j * self.nodes;
-        [&self.phi[start..start + self.nodes], &self.psi[start..start + self.nodes]]
+    /// Cauchy's integral at the node `j`, which is outside the contour that is integrated: −iα β_j, α the `angle` of the water there [rad].
+    pub fn write(&mut self, j: usize, influence: &mut Influence, z: &[c64], angle: f64) -> Row<'_> {
+        let (is_imaginary, body, start) = (self.body.contains(&j), self.body.clone(), j * (self.nodes + self.more));
+        let known = &mut self.known[j * self.nodes..][..self.nodes];
+        let mut row = Row { known, unknown: &mut self.unknown[start..][..self.nodes], body, is_imaginary };
+        influence.write(z[j], &mut row);
+        row.add(j, c64::new(0.0, -(if angle > 0.0 { angle } else { angle + TAU })));
+        row
     }
 
-    /// The equation of node `j`, of which `known` is known.
-    pub fn row(&mut self, j: usize, known: Known) -> Row<'_> {
-        let length = self.nodes;
-        let row = j * length..(j + 1) * length;
-        let is_imaginary = known == Known::StreamFunction;
-        Row { phi: &mut self.phi[row.clone()], psi: &mut self.psi[row], is_imaginary }
+    /// Factors of the unknowns in the equation `j`.
+    pub fn unknown(&mut self, j: usize) -> &mut [f64] {
+        let size = self.nodes + self.more;
+        &mut self.unknown[j * size..][..size]
     }
 
-    /// Left side of the equation of node `j` with φ and ψ.
-    pub fn sum(&self, j: usize, beta: &Complex) -> f64 {
-        let [phi, psi] = self.of(j);
-        dot(phi, &beta.phi) + dot(psi, &beta.psi)
+    /// Sum of the factors of ψ on the body in the equation of node `j`.
+    pub fn of_psi_on_body(&self, j: usize) -> f64 {
+        self.known[j * self.nodes..][self.body.clone()].iter().sum()
     }
 
-    /// Factors of what is unknown of the nodes `unknown` in the equation of node `j`.
-    pub fn of_unknown<'a>(
-        &'a self,
-        j: usize,
-        unknown: &'a [usize],
-        known: &'a [Known],
-    ) -> impl Iterator<Item = f64> + 'a {
-        let [phi, psi] = self.of(j);
-        unknown.iter().map(move |&k| if known[k] == Known::Potential { psi[k] } else { phi[k] })
+    /// Factorised.
+    pub fn factorised(self) -> System {
+        let Equations { known, unknown, nodes, more, body } = self;
+        System { known, matrix: Factorised::new(unknown, nodes + more), body }
+    }
+}
+
+/// The same, factorised.
+pub(super) struct System {
+    known: Buffer,
+    matrix: Factorised,
+    body: Range<usize>,
+}
+
+impl System {
+    /// Find what is not known of β: φ is read on the surfaces, ψ on the body, both where they meet; the rest is written. `right` gives the right side of
+    /// an equation with the function that takes what is known into the equation of a node. Returns the further unknowns.
+    pub fn solve(
+        &self,
+        beta: &mut Complex,
+        right: impl Fn(usize, &dyn Fn(usize) -> f64) -> f64,
+        more: usize,
+    ) -> Vec<f64> {
+        let n = beta.phi.len();
+        let mut known = beta.phi.clone();
+        known[self.body.clone()].copy_from_slice(&beta.psi[self.body.clone()]);
+        let of_known = |j: usize| -dot(&self.known[j * n..][..n], &known);
+        let mut solution: Vec<f64> = (0..n + more).map(|j| right(j, &of_known)).collect();
+        self.matrix.solve(&mut solution);
+        let further = solution.split_off(n);
+        beta.phi[self.body.clone()].copy_from_slice(&solution[self.body.clone()]);
+        solution[self.body.clone()].copy_from_slice(&known[self.body.clone()]);
+        beta.psi = solution;
+        further
     }
 }
 
@@ -87,11 +108,9 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
 
 /// The right half of a symmetric contour, factorised.
 pub(super) struct Contour {
-    known: Vec<Known>,
-    /// Nodes that have an unknown.
-    unknown: Vec<usize>,
-    of: Coefficients,
-    matrix: Factorised,
+    /// The node where surface and body meet.
+    contact: usize,
+    system: System,
 }
 
 fn mirrored(z: c64) -> c64 {
@@ -99,61 +118,31 @@ fn mirrored(z: c64) -> c64 {
 }
 
 impl Contour {
-    /// Of the nodes `z` from the far free surface to the keel on x = 0, water on the left.
-    pub fn new(z: &[c64], known: Vec<Known>, corners: Option<&[usize]>) -> Contour {
+    /// Of the nodes `z` from the far free surface to the `contact` with the body and on to the keel on x = 0, water on the left.
+    pub fn new(z: &[c64], contact: usize, corners: Option<&[usize]>) -> Contour {
         let n = z.len();
         let mut influence = Influence::symmetric(z, corners);
-        let mut of = Coefficients::zeros(n);
-        let unknown: Vec<usize> = (0..n).filter(|&j| known[j] != Known::Both).collect();
-        for &j in &unknown[1..] {
-            let mut row = of.row(j, known[j]);
-            influence.write(z[j], &mut row);
-            // the node itself is outside the contour that is integrated: −iα β_j, α the angle of the water there
+        let mut equations = Equations::zeros(n, contact + 1..n, 0);
+        for j in (1..n).filter(|j| *j != contact) {
             let next = if j + 1 == n { mirrored(z[j - 1]) } else { z[j + 1] } - z[j];
-            let angle = ((z[j - 1] - z[j]) / next).arg();
-            row.add(j, c64::new(0.0, -(if angle > 0.0 { angle } else { angle + TAU })));
+            let mut row = equations.write(j, &mut influence, z, ((z[j - 1] - z[j]) / next).arg());
             // beyond the first node, at x = l, β = iψ₁ l/x on both sides
             let (l, one) = (z[0].re, c64::new(1.0, 0.0));
             row.add_stream(0, l / z[j] * ((one - z[j] / l).ln() - (one + z[j] / l).ln()));
         }
-        let first = of.row(0, Known::Potential);
-        (first.psi[0], first.psi[1]) = (1.0, -z[1].re / z[0].re); // ψ falls like 1/x
-        let size = unknown.len();
-        let mut rows = Buffer::zeros(size * size);
-        for (row, &j) in rows.chunks_exact_mut(size).zip(&unknown) {
-            row.iter_mut().zip(of.of_unknown(j, &unknown, &known)).for_each(|(entry, factor)| *entry = factor);
-        }
-        let matrix = Factorised::new(rows, size);
-        Contour { known, unknown, of, matrix }
+        equations.unknown(0)[..2].copy_from_slice(&[1.0, -z[1].re / z[0].re]); // ψ falls like 1/x
+        equations.unknown(contact)[contact] = 1.0;
+        Contour { contact, system: equations.factorised() }
     }
 
-    /// Find what is not known of β: φ is read where it is known, ψ where it is, the rest is written.
+    /// Find what is not known of β, as [`System::solve`].
     pub fn solve(&self, beta: &mut Complex) {
-        beta.clear(&self.known);
-        let right_of = |j: &usize| if *j == 0 { 0.0 } else { -self.of.sum(*j, beta) };
-        let mut solution: Vec<f64> = self.unknown.iter().map(right_of).collect();
-        self.matrix.solve(&mut solution);
-        beta.take(&self.known, &self.unknown, &solution);
-    }
-}
-
-impl Complex {
-    /// Zeros where nothing is known.
-    pub fn clear(&mut self, known: &[Known]) {
-        for (k, known) in known.iter().enumerate() {
-            match known {
-                Known::Potential => self.psi[k] = 0.0,
-                Known::StreamFunction => self.phi[k] = 0.0,
-                Known::Both => (),
-            }
-        }
-    }
-
-    /// Write what was unknown of the nodes `unknown`.
-    pub fn take(&mut self, known: &[Known], unknown: &[usize], solution: &[f64]) {
-        for (&j, value) in unknown.iter().zip(solution) {
-            let of = if known[j] == Known::Potential { &mut self.psi } else { &mut self.phi };
-            of[j] = *value;
-        }
+        let at_contact = beta.psi[self.contact];
+        let right = |j: usize, of_known: &dyn Fn(usize) -> f64| match j {
+            0 => 0.0,
+            _ if j == self.contact => at_contact,
+            _ => of_known(j),
+        };
+        self.system.solve(beta, right, 0);
     }
 }

@@ -135,10 +135,13 @@ impl FlowEntry<'_> {
         let mut time = in_air;
         if self.draught <= 0.0 {
             let speed;
-            let (load, rate) = (|h: f64, v: f64| before.load(h, v), |time: f64, load: &FlowLoad| self.rate(time, load));
-            let keep =
-                |state: [f64; 4], load: &FlowLoad| steps.push(self.step_of(state, load, [load.half_breadth(); 2]));
-            [time, speed] = until_the_flow(begin, before.grading(), [in_air, at_contact], load, rate, keep);
+            let keep = |state: [f64; 4], _: &[f64; 2]| {
+                let load = before.load(state[1], state[2]);
+                steps.push(self.step_of(state, &load, [load.half_breadth(); 2]));
+            };
+            let (forces, rate) =
+                (|h: f64, v: f64| before.forces(h, v), |time: f64, of: &[f64; 2]| self.rate(time, *of));
+            [time, speed] = until_the_flow(begin, before.grading(), [in_air, at_contact], forces, rate, keep);
             flow = flow.at_speed(speed);
         }
         steps.extend(self.followed(flow, &before, time, end, STOPPED * at_contact));
@@ -213,9 +216,9 @@ impl FlowEntry<'_> {
         FlowEntry::DEEPEST * 2.0 * self.section.half_breadth()
     }
 
-    /// The downward acceleration at a time [s] under a load [m/s²].
-    fn rate(&self, time: f64, load: &FlowLoad) -> f64 {
-        rate(&self.motion, time, self.gravity, self.density, [load.force, load.added_mass])
+    /// The downward acceleration at a time [s] under a force and an added mass over the density [m/s²].
+    fn rate(&self, time: f64, forces: [f64; 2]) -> f64 {
+        rate(&self.motion, time, self.gravity, self.density, forces)
     }
 
     /// The steps of the flow from `time` to `end` [s].
@@ -223,11 +226,12 @@ impl FlowEntry<'_> {
         let mut steps = Vec::new();
         loop {
             let (draught, speed, width) = (flow.draught(), flow.speed(), flow.half_width());
-            let instead = |load: &FlowLoad| before.instead_of(load.clone(), draught, speed);
-            let Ok((dt, load)) = flow.step(|load| self.rate(time, &instead(load))) else { break };
-            let load = instead(&load);
+            let rate = |load: &FlowLoad| self.rate(time, before.forces_instead_of(load, draught, speed));
+            let Ok((dt, load)) = flow.step(rate) else { break };
+            let load = before.instead_of(load, draught, speed);
             let face = load.half_breadth().min(self.section.followed_half_breadth());
-            steps.push(self.step_of([time, draught, speed, self.rate(time, &load)], &load, [face, width]));
+            let rate = self.rate(time, [load.force, load.added_mass]);
+            steps.push(self.step_of([time, draught, speed, rate], &load, [face, width]));
             let over = EntryModel::BoundaryElement.covers(self.section, width).is_err();
             if time >= end || speed < stopped || draught > self.deepest() || over || self.is_wet_again(&flow) {
                 break;

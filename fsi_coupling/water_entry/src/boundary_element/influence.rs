@@ -1,8 +1,8 @@
-//! Cauchy's integral over straight elements, on which β is quadratic (THEORY EN21): four elements at a time by a series, near ones by the
+//! Cauchy's integral over straight elements, on which β is quadratic (THEORY EN21): eight elements at a time by a series, near ones by the
 //! logarithm.
 
 use std::array::from_fn;
-use std::ops::{Add, Mul, Sub};
+use std::ops::{Add, Mul, Range, Sub};
 
 use faer::c64;
 use pulp::{Arch, NullaryFnOnce};
@@ -11,7 +11,7 @@ use pulp::{Arch, NullaryFnOnce};
 #[derive(Clone, Copy, Default)]
 struct Lanes([f64; LANES]);
 
-const LANES: usize = 4;
+const LANES: usize = 8;
 /// Factors of w, w², … in artanh(u)/u − 1, w = u².
 const SERIES: [f64; 7] = [1.0 / 3.0, 1.0 / 5.0, 1.0 / 7.0, 1.0 / 9.0, 1.0 / 11.0, 1.0 / 13.0, 1.0 / 15.0];
 /// Place of an element that fills a block and has no length [m].
@@ -51,6 +51,18 @@ impl Lanes {
         Lanes([value; LANES])
     }
 
+    /// a b + c, rounded once.
+    #[inline(always)]
+    fn times_plus(self, b: Lanes, c: Lanes) -> Lanes {
+        Lanes(from_fn(|k| self.0[k].mul_add(b.0[k], c.0[k])))
+    }
+
+    /// c − a b, rounded once.
+    #[inline(always)]
+    fn times_less(self, b: Lanes, c: Lanes) -> Lanes {
+        Lanes(from_fn(|k| (-self.0[k]).mul_add(b.0[k], c.0[k])))
+    }
+
     #[inline(always)]
     fn inverse(self) -> Lanes {
         Lanes(from_fn(|k| 1.0 / self.0[k]))
@@ -66,7 +78,13 @@ impl Lanes {
 /// Product of complex numbers.
 #[inline(always)]
 fn times(a: [Lanes; 2], b: [Lanes; 2]) -> [Lanes; 2] {
-    [a[0] * b[0] - a[1] * b[1], a[0] * b[1] + a[1] * b[0]]
+    [a[1].times_less(b[1], a[0] * b[0]), a[0].times_plus(b[1], a[1] * b[0])]
+}
+
+/// a b + c of complex numbers.
+#[inline(always)]
+fn times_plus(a: [Lanes; 2], b: [Lanes; 2], c: [Lanes; 2]) -> [Lanes; 2] {
+    [a[1].times_less(b[1], a[0].times_plus(b[0], c[0])), a[0].times_plus(b[1], a[1].times_plus(b[0], c[1]))]
 }
 
 /// Elements that are treated at a time: middles, half of the way from the first end to the second, and twice its square, x and y [m, m²].
@@ -101,10 +119,12 @@ fn zeros(length: usize) -> Numbers {
     [vec![0.0; length], vec![0.0; length]]
 }
 
-/// Factors of φ and ψ of the nodes in the equation of a node.
+/// Factors of what is known of the nodes and of what is not in the equation of a node: of ψ and φ on the body, of φ and ψ elsewhere.
 pub(super) struct Row<'a> {
-    pub phi: &'a mut [f64],
-    pub psi: &'a mut [f64],
+    pub known: &'a mut [f64],
+    pub unknown: &'a mut [f64],
+    /// Nodes on the body.
+    pub body: Range<usize>,
     /// Is the imaginary part of the equation the one that counts?
     pub is_imaginary: bool,
 }
@@ -113,21 +133,27 @@ impl Row<'_> {
     /// Add the factor of β of node `k`.
     pub fn add(&mut self, k: usize, own: c64) {
         let [phi, psi] = if self.is_imaginary { [own.im, own.re] } else { [own.re, -own.im] };
-        self.phi[k] += phi;
-        self.psi[k] += psi;
+        let [known, unknown] = if self.body.contains(&k) { [psi, phi] } else { [phi, psi] };
+        self.known[k] += known;
+        self.unknown[k] += unknown;
     }
 
-    /// Add the factor of iψ of node `k`.
+    /// Add the factor of iψ of node `k`, which is not on the body.
     pub fn add_stream(&mut self, k: usize, own: c64) {
-        self.psi[k] += if self.is_imaginary { own.re } else { -own.im };
+        self.unknown[k] += if self.is_imaginary { own.re } else { -own.im };
     }
 
     /// The factors of β of all nodes.
     #[inline(always)]
     fn write(&mut self, [re, im]: [&[f64]; 2]) {
         let (phi, psi, sign) = if self.is_imaginary { (im, re, 1.0) } else { (re, im, -1.0) };
-        self.phi.copy_from_slice(phi);
-        self.psi.iter_mut().zip(psi).for_each(|(to, psi)| *to = sign * psi);
+        let Range { start, end } = self.body;
+        for (of, is_body) in [(0..start, false), (start..end, true), (end..re.len(), false)] {
+            let [known, unknown] = [&mut self.known[of.clone()], &mut self.unknown[of.clone()]];
+            let [of_phi, of_psi] = if is_body { [unknown, known] } else { [known, unknown] };
+            of_phi.copy_from_slice(&phi[of.clone()]);
+            of_psi.iter_mut().zip(&psi[of]).for_each(|(to, psi)| *to = sign * psi);
+        }
     }
 }
 
@@ -142,7 +168,8 @@ struct SecondDifferences {
 /// The elements of a contour.
 pub(super) struct Influence {
     elements: Elements,
-    differences: SecondDifferences,
+    /// Of a quadratic β.
+    differences: Option<SecondDifferences>,
     /// Is the contour the right half of a symmetric one?
     is_half: bool,
     integrals: Integrals,
@@ -171,7 +198,7 @@ impl Influence {
         };
         Influence {
             elements,
-            differences: SecondDifferences::new(z, corners),
+            differences: corners.map(|corners| SecondDifferences::new(z, corners)),
             is_half: false,
             integrals,
             arch: Arch::new(),
@@ -186,19 +213,20 @@ impl Influence {
     /// ∫ β/(z − `at`) dz over all elements, written to a row. At an end that is `at` the singular part is left to the node.
     pub fn write(&mut self, at: c64, row: &mut Row<'_>) {
         let Influence { elements, differences, is_half, integrals, arch } = self;
+        let differences = differences.as_ref();
         arch.dispatch(Writing { elements, differences, is_half: *is_half, integrals, at, row });
     }
 }
 
 impl SecondDifferences {
     /// Of the nodes `z`, of which `corners` have none.
-    fn new(z: &[c64], corners: Option<&[usize]>) -> SecondDifferences {
+    fn new(z: &[c64], corners: &[usize]) -> SecondDifferences {
         let inner = z.len() - 2;
         let mut differences = SecondDifferences {
             factors: [(); 3].map(|()| zeros(z.len() + 2)),
             shares: [(); 2].map(|()| vec![0.0; inner]),
         };
-        let is_smooth = |k: usize| 0 < k && k <= inner && corners.is_some_and(|corners| !corners.contains(&k));
+        let is_smooth = |k: usize| 0 < k && k <= inner && !corners.contains(&k);
         for k in (1..=inner).filter(|k| is_smooth(*k)) {
             let [before, after] = [z[k] - z[k - 1], z[k + 1] - z[k]];
             let both = before + after;
@@ -215,43 +243,49 @@ impl SecondDifferences {
 }
 
 impl Integrals {
-    /// Of all elements for a node and its mirror image, each with the sign with which it counts.
+    /// The first factors of all elements for a node and its mirror image, each with the sign with which it counts.
     #[inline(always)]
-    fn take(&mut self, elements: &Elements, places: &[(f64, c64)]) {
+    fn take<const FACTORS: usize>(&mut self, elements: &Elements, places: &[(f64, c64)]) {
         for (number, block) in elements.blocks.iter().enumerate() {
             let start = number * LANES;
-            let mut sum = [Lanes::default(); 6];
-            for (sign, at) in places {
-                let Factors { of, .. } = elements.factors(block, start, *at);
-                for k in 0..6 {
-                    sum[k] = sum[k] + Lanes::all(*sign) * of[k];
-                }
+            let mut sum = [Lanes::default(); FACTORS];
+            for place in places {
+                elements.add(block, start, *place, &mut sum);
             }
-            for k in 0..6 {
+            for k in 0..FACTORS {
                 self.of[k][1 + start..][..LANES].copy_from_slice(&sum[k].0);
             }
         }
     }
 
-    /// Of β of each node.
+    /// Of β of each node, linear on the elements.
     #[inline(always)]
-    fn gather(&mut self, differences: &SecondDifferences) {
+    fn gather(&mut self) {
+        for part in 0..2 {
+            let n = self.beta[part].len();
+            let beta = &mut self.beta[part][..n];
+            let [first, second] = [&self.of[part][1..][..n - 1], &self.of[2 + part][..n]];
+            for k in 0..n - 1 {
+                beta[k] = first[k] + second[k];
+            }
+            beta[n - 1] = second[n - 1];
+        }
+    }
+
+    /// What is added where it is quadratic.
+    #[inline(always)]
+    fn gather_second(&mut self, differences: &SecondDifferences) {
         let Integrals { of, of_difference, beta } = self;
         let inner = differences.shares[0].len();
         let n = inner + 2;
         let [of_before, of_after] = [&differences.shares[0][..inner], &differences.shares[1][..inner]];
         for part in 0..2 {
-            let [first, second, third] = [&of[part], &of[2 + part], &of[4 + part]];
+            let third = &of[4 + part];
             let (before, after, of_difference) =
                 (&third[1..][..inner], &third[2..][..inner], &mut of_difference[part][2..][..inner]);
             for k in 0..inner {
                 of_difference[k] = of_before[k] * before[k] + of_after[k] * after[k];
             }
-            let (beta, first, second) = (&mut beta[part][..n], &first[1..][..n - 1], &second[..n]);
-            for k in 0..n - 1 {
-                beta[k] = first[k] + second[k];
-            }
-            beta[n - 1] = second[n - 1];
         }
         let [re, im] = beta;
         // node k is the node after k − 1, itself, and the node before k + 1
@@ -260,8 +294,8 @@ impl Integrals {
             let [d_re, d_im] = [&of_difference[0][shift..][..n], &of_difference[1][shift..][..n]];
             let [w_re, w_im] = [&factors[0][shift..][..n], &factors[1][shift..][..n]];
             for k in 0..n {
-                re[k] += d_re[k] * w_re[k] - d_im[k] * w_im[k];
-                im[k] += d_re[k] * w_im[k] + d_im[k] * w_re[k];
+                re[k] = d_re[k].mul_add(w_re[k], (-d_im[k]).mul_add(w_im[k], re[k]));
+                im[k] = d_re[k].mul_add(w_im[k], d_im[k].mul_add(w_re[k], im[k]));
             }
         }
     }
@@ -285,22 +319,31 @@ impl Elements {
         Elements { ends, blocks }
     }
 
-    /// Factors of a block of elements, which begins with number `start`, for a node.
+    /// Add the first factors of a block of elements, which begins with number `start`, for a node, `sign` times.
     #[inline(always)]
-    fn factors(&self, block: &Block, start: usize, at: c64) -> Factors {
-        let mut factors = by_series(block, at);
+    fn add<const FACTORS: usize>(
+        &self,
+        block: &Block,
+        start: usize,
+        (sign, at): (f64, c64),
+        sum: &mut [Lanes; FACTORS],
+    ) {
+        let with = |of: [Lanes; 6]| from_fn(|k| of[k].times_plus(Lanes::all(sign), sum[k]));
+        let factors = by_series(block, at);
         let all_are_far = factors.near.largest() < FAR;
-        if !all_are_far {
-            replace_near(&mut factors, &self.ends[start..self.ends.len().min(start + LANES)], at);
-        }
-        factors
+        // both ways on their own: the far ones then stay in registers
+        *sum = if all_are_far {
+            with(factors.of)
+        } else {
+            with(replace_near(factors, &self.ends[start..self.ends.len().min(start + LANES)], at).of)
+        };
     }
 }
 
 /// What [`Influence::write`] does, for vector instructions.
 struct Writing<'a, 'b> {
     elements: &'a Elements,
-    differences: &'a SecondDifferences,
+    differences: Option<&'a SecondDifferences>,
     is_half: bool,
     integrals: &'a mut Integrals,
     at: c64,
@@ -316,15 +359,22 @@ impl NullaryFnOnce for Writing<'_, '_> {
         // the conjugate of the factors of the images' β is that of the elements for the mirrored node, with the other sign
         let sign = if row.is_imaginary { 1.0 } else { -1.0 };
         let places = [(1.0, at), (sign, c64::new(-at.re, at.im))];
-        integrals.take(elements, &places[..if is_half { 2 } else { 1 }]);
-        integrals.gather(differences);
+        let places = &places[..if is_half { 2 } else { 1 }];
+        if let Some(differences) = differences {
+            integrals.take::<6>(elements, places);
+            integrals.gather();
+            integrals.gather_second(differences);
+        } else {
+            integrals.take::<4>(elements, places);
+            integrals.gather();
+        }
         row.write([&integrals.beta[0], &integrals.beta[1]]);
     }
 }
 
 /// The logarithm in place of the series where an element is near.
 #[inline(never)]
-fn replace_near(factors: &mut Factors, ends: &[[c64; 2]], at: c64) {
+fn replace_near(mut factors: Factors, ends: &[[c64; 2]], at: c64) -> Factors {
     for (k, [from, to]) in ends.iter().enumerate() {
         let is_far = factors.near.0[k] < FAR;
         if !is_far {
@@ -334,29 +384,29 @@ fn replace_near(factors: &mut Factors, ends: &[[c64; 2]], at: c64) {
             }
         }
     }
+    factors
 }
 
 /// With u half the element h over the distance of its middle, w = u², A = artanh u and E = A/u − 1: A + E, A − E and 2 h² (E/u − A).
 #[inline(always)]
 fn by_series(block: &Block, at: c64) -> Factors {
     let [x, y] = [block.middle[0] - Lanes::all(at.re), block.middle[1] - Lanes::all(at.im)];
-    let inverse = (x * x + y * y).inverse();
+    let inverse = x.times_plus(x, y * y).inverse();
     let [hx, hy] = block.half;
-    let u = [(hx * x + hy * y) * inverse, (hy * x - hx * y) * inverse];
+    let u = [hx.times_plus(x, hy * y) * inverse, hx.times_less(y, hy * x) * inverse];
     let near = block.size * inverse;
     let w = [(u[0] + u[1]) * (u[0] - u[1]), (u[0] + u[0]) * u[1]];
     // Σ c_k w^k = (c₀ + c₁ w) + w² (c₂ + c₃ w) + w⁴ (c₄ + c₅ w + c₆ w²)
     let squared = [(w[0] + w[1]) * (w[0] - w[1]), (w[0] + w[0]) * w[1]];
     let factor = |k: usize| Lanes::all(SERIES[k]);
-    let linear = |k: usize| [factor(k) + factor(k + 1) * w[0], factor(k + 1) * w[1]];
+    let linear = |k: usize| [w[0].times_plus(factor(k + 1), factor(k)), factor(k + 1) * w[1]];
     let (low, mut middle) = (linear(0), linear(2));
     if near.largest() > VERY_SMALL {
         let high = linear(4);
-        let high = times(squared, [high[0] + factor(6) * squared[0], high[1] + factor(6) * squared[1]]);
-        middle = [middle[0] + high[0], middle[1] + high[1]];
+        let high = [squared[0].times_plus(factor(6), high[0]), squared[1].times_plus(factor(6), high[1])];
+        middle = times_plus(squared, high, middle);
     }
-    let middle = times(squared, middle);
-    let sum = [low[0] + middle[0], low[1] + middle[1]];
+    let sum = times_plus(squared, middle, low);
     let e = times(w, sum);
     let one_more = [e[0] + Lanes::all(1.0), e[1]];
     let a = times(u, one_more);

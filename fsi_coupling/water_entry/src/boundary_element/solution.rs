@@ -1,11 +1,10 @@
 //! The flow at an instant (THEORY EN21, EN23, EN24): velocity, rate of the potential, load.
 
-use std::cmp::Ordering;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_6, PI};
 
 use faer::c64;
 
-use super::cauchy::{Complex, Contour, Known};
+use super::cauchy::{Complex, Contour};
 use super::elements::graded;
 use super::spline::Spline;
 use super::state::EntryFlow;
@@ -68,14 +67,9 @@ impl EntryFlow {
         let of = self.contour();
         let Nodes { z: nodes, end, foot, contact, along } = &of;
         let (n, end, foot, contact) = (nodes.len(), *end, *foot, *contact);
-        let known = |k: usize| match k.cmp(&contact) {
-            Ordering::Less => Known::Potential,
-            Ordering::Equal => Known::Both,
-            Ordering::Greater => Known::StreamFunction,
-        };
         let corners = [end, foot, contact];
         let corners = self.sizes.quadratic.then_some(&corners[..]);
-        let contour = Contour::new(nodes, (0..n).map(known).collect(), corners);
+        let contour = Contour::new(nodes, contact, corners);
 
         // velocity: φ on the surfaces and along the cut, ψ = V x on the body
         let bending = self.face.is_bent().then(|| self.bending(along));

@@ -13,7 +13,7 @@ fn mirrored(z: c64) -> c64 {
 /// The factors of φ and of ψ of the nodes at a place.
 fn written(influence: &mut Influence, n: usize, at: c64, is_imaginary: bool) -> [Vec<f64>; 2] {
     let [mut phi, mut psi] = [(); 2].map(|()| vec![0.0; n]);
-    influence.write(at, &mut Row { phi: &mut phi, psi: &mut psi, is_imaginary });
+    influence.write(at, &mut Row { known: &mut phi, unknown: &mut psi, body: 0..0, is_imaginary });
     [phi, psi]
 }
 

@@ -1,85 +1,59 @@
 //! Cauchy's integral on the whole contour (THEORY EN34): the stream function on the body is known but for a constant.
 
-use std::f64::consts::TAU;
-
 use faer::c64;
 
-use super::super::buffer::Buffer;
-use super::super::cauchy::{Coefficients, Complex, Known};
-use super::super::factorised::Factorised;
+use super::super::cauchy::{Complex, Equations, System};
 use super::super::influence::Influence;
 
-/// The whole contour, factorised.
+/// The whole contour, factorised. The constant is the last unknown; its equation is the sum of those of the contacts.
 pub(super) struct WholeContour {
-    known: Vec<Known>,
-    /// Nodes that have an unknown.
-    unknown: Vec<usize>,
     /// The nodes where surface and body meet.
-    contacts: Vec<usize>,
-    of: Coefficients,
-    matrix: Factorised,
-}
-
-/// Coefficients in the equations of all nodes but the first and the last.
-fn coefficients(z: &[c64], known: &[Known], corners: Option<&[usize]>) -> Coefficients {
-    let n = z.len();
-    let mut influence = Influence::whole(z, corners);
-    let mut of = Coefficients::zeros(n);
-    let (one, right, left) = (c64::new(1.0, 0.0), z[0].re, -z[n - 1].re);
-    for j in 1..n - 1 {
-        let mut row = of.row(j, known[j]);
-        influence.write(z[j], &mut row);
-        // the node itself is outside the contour that is integrated: −iα β_j, α the angle of the water there
-        let angle = ((z[j - 1] - z[j]) / (z[j + 1] - z[j])).arg();
-        row.add(j, c64::new(0.0, -(if angle > 0.0 { angle } else { angle + TAU })));
-        // beyond the first node, at x = l, and the last, at x = −l, β = iψ l/|x|
-        row.add_stream(0, right / z[j] * (one - z[j] / right).ln());
-        row.add_stream(n - 1, left / z[j] * (one + z[j] / left).ln());
-    }
-    of
+    contacts: [usize; 2],
+    system: System,
 }
 
 impl WholeContour {
     /// Of the nodes `z` from the far free surface on the right to that on the left, water on the left.
-    pub fn new(z: &[c64], known: Vec<Known>, corners: Option<&[usize]>) -> WholeContour {
+    pub fn new(z: &[c64], contacts: [usize; 2], corners: Option<&[usize]>) -> WholeContour {
         let n = z.len();
-        let of = coefficients(z, &known, corners);
-        let unknown: Vec<usize> = (0..n).filter(|&j| known[j] != Known::Both).collect();
-        let contacts: Vec<usize> = (0..n).filter(|&j| known[j] == Known::Both).collect();
-        let size = unknown.len() + 1;
-        let mut rows = Buffer::zeros(size * size);
-        for (number, row) in rows.chunks_exact_mut(size).enumerate() {
-            let nodes = if number + 1 == size { &contacts[..] } else { &unknown[number..=number] };
-            for &j in nodes {
-                if j == 0 || j == n - 1 {
-                    // ψ falls like 1/x
-                    let next = if j == 0 { number + 1 } else { number - 1 };
-                    (row[number], row[next]) = (1.0, -z[unknown[next]].re / z[j].re);
-                    continue;
-                }
-                row.iter_mut().zip(of.of_unknown(j, &unknown, &known)).for_each(|(entry, factor)| *entry += factor);
-                let [_, psi] = of.of(j);
-                row[size - 1] += psi[contacts[0]..=contacts[1]].iter().sum::<f64>();
-            }
+        let mut influence = Influence::whole(z, corners);
+        let mut equations = Equations::zeros(n, contacts[0] + 1..contacts[1], 1);
+        let (one, right, left) = (c64::new(1.0, 0.0), z[0].re, -z[n - 1].re);
+        for j in 1..n - 1 {
+            let angle = ((z[j - 1] - z[j]) / (z[j + 1] - z[j])).arg();
+            let mut row = equations.write(j, &mut influence, z, angle);
+            // beyond the first node, at x = l, and the last, at x = −l, β = iψ l/|x|
+            row.add_stream(0, right / z[j] * (one - z[j] / right).ln());
+            row.add_stream(n - 1, left / z[j] * (one + z[j] / left).ln());
+            equations.unknown(j)[n] = equations.of_psi_on_body(j);
         }
-        let matrix = Factorised::new(rows, size);
-        WholeContour { known, unknown, contacts, of, matrix }
+        for (end, next) in [(0, 1), (n - 1, n - 2)] {
+            // ψ falls like 1/x
+            let row = equations.unknown(end);
+            (row[end], row[next]) = (1.0, -z[next].re / z[end].re);
+        }
+        for contact in contacts {
+            let own = equations.unknown(contact).to_vec();
+            equations.unknown(n).iter_mut().zip(own).for_each(|(sum, own)| *sum += own);
+            let row = equations.unknown(contact);
+            row.fill(0.0);
+            (row[contact], row[n]) = (1.0, -1.0);
+        }
+        WholeContour { contacts, system: equations.factorised() }
     }
 
     /// Find what is not known of β: φ is read where it is known, ψ where it is but for a constant, the rest is written.
     pub fn solve(&self, beta: &mut Complex) {
-        beta.clear(&self.known);
-        let last = self.known.len() - 1;
-        let right_of = |j: usize| if j == 0 || j == last { 0.0 } else { -self.of.sum(j, beta) };
-        let of_contacts = self.contacts.iter().map(|&j| right_of(j)).sum();
-        let mut solution: Vec<f64> = self.unknown.iter().map(|&j| right_of(j)).chain([of_contacts]).collect();
-        self.matrix.solve(&mut solution);
-        beta.take(&self.known, &self.unknown, &solution);
-        let constant = solution[self.unknown.len()];
-        for (psi, known) in beta.psi.iter_mut().zip(&self.known) {
-            if *known != Known::Potential {
-                *psi += constant;
-            }
-        }
+        let n = beta.phi.len();
+        let at_contacts = self.contacts.map(|contact| beta.psi[contact]);
+        let right = |j: usize, of_known: &dyn Fn(usize) -> f64| match j {
+            _ if j == 0 || j == n - 1 => 0.0,
+            _ if j == n => self.contacts.into_iter().map(of_known).sum(),
+            _ if j == self.contacts[0] => at_contacts[0],
+            _ if j == self.contacts[1] => at_contacts[1],
+            _ => of_known(j),
+        };
+        let constant = self.system.solve(beta, right, 1)[0];
+        beta.psi[self.contacts[0] + 1..self.contacts[1]].iter_mut().for_each(|psi| *psi += constant);
     }
 }

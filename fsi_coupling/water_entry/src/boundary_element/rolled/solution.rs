@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use faer::c64;
 
-use super::super::cauchy::{Complex, Known};
+use super::super::cauchy::Complex;
 use super::super::solution::{Nodes, Solved};
 use super::super::state::EntryFlow;
 use super::contour::WholeContour;
@@ -115,16 +115,10 @@ pub(super) fn solve(sides: &[EntryFlow; 2]) -> RolledSolution {
     let z = joined([&nodes[0].z, &nodes[1].z], image);
     let counts = [0, 1].map(|i| nodes[i].z.len());
     let contacts = [nodes[0].contact, z.len() - 1 - nodes[1].contact];
-    let known = |k: usize| match k {
-        _ if k == contacts[0] || k == contacts[1] => Known::Both,
-        _ if (contacts[0]..contacts[1]).contains(&k) => Known::StreamFunction,
-        _ => Known::Potential,
-    };
     let mut corners = vec![counts[0] - 1];
     corners.extend([nodes[0].end, nodes[0].foot, nodes[0].contact]);
     corners.extend([nodes[1].end, nodes[1].foot, nodes[1].contact].map(|k| z.len() - 1 - k));
-    let contour =
-        WholeContour::new(&z, (0..z.len()).map(known).collect(), sides[0].sizes.quadratic.then_some(&corners));
+    let contour = WholeContour::new(&z, contacts, sides[0].sizes.quadratic.then_some(&corners));
     let solved = |phi: [Vec<f64>; 2], velocity: c64| {
         let psi = z.iter().map(|z| (velocity.conj() * z).im).collect();
         let mut beta = Complex { phi: joined([&phi[0], &phi[1]], |phi| phi), psi };
