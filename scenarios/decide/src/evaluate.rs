@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Instant;
 
 use run::{RunError, RunOptions};
-use scene::vocabulary::Status;
+use scene::vocabulary::{Doubt, Doubts, Status};
 use scene::{Loaded, SceneError};
 
 use crate::numbers::{Number, usual};
@@ -35,6 +35,8 @@ pub struct Answer {
     pub message: Option<String>,
     /// Results by name, those of panels as `PANEL.peak_stress_Pa`.
     pub numbers: BTreeMap<String, Number>,
+    /// Doubts about them.
+    pub doubts: Doubts,
     /// Names of the curves' columns; the first is `time_s`.
     pub columns: Vec<String>,
     /// Rows of the curves, shape (n, columns).
@@ -44,6 +46,15 @@ pub struct Answer {
 }
 
 impl Answer {
+    /// Sentences of the doubts about a result, that a panel is beyond its limits apart.
+    pub fn doubts_about(&self, name: &str) -> Vec<String> {
+        let is_about = |about: &String| {
+            name == about || name.strip_prefix(about.as_str()).is_some_and(|rest| rest.starts_with('.'))
+        };
+        let of_name = |doubt: &&Doubt| doubt.about.is_empty() || doubt.about.iter().any(is_about);
+        self.doubts.iter().filter(|doubt| !doubt.why.beyond_limit).filter(of_name).map(Doubt::to_string).collect()
+    }
+
     /// A curve at a time [s], linear between samples; its ends beyond them. `None` of an unknown column.
     pub fn curve(&self, column: &str) -> Option<impl Fn(f64) -> f64 + '_> {
         let k = self.columns.iter().position(|name| name == column)?;
@@ -70,6 +81,7 @@ fn answer(loaded: &Loaded) -> Result<Answer, EvaluateError> {
         status: outcome.summary.status,
         message: outcome.summary.message.clone(),
         numbers: usual(&summary).into_iter().collect(),
+        doubts: outcome.summary.doubts.clone(),
         columns: outcome.series.columns().to_vec(),
         rows: outcome.series.rows().to_vec(),
         seconds: start.elapsed().as_secs_f64(),
@@ -160,6 +172,17 @@ impl Evaluator {
             _ => given.into(),
         };
         self.value(&key).map(|_| key)
+    }
+
+    /// The number that a text is as a key's value, in the key's unit: `2 mm` of a length is 0.002.
+    ///
+    /// # Errors
+    /// A text that the key refuses.
+    pub fn read(&self, key: &str, text: &str) -> Result<f64, EvaluateError> {
+        match text.trim().parse::<f64>() {
+            Ok(number) if number.is_finite() => Ok(number),
+            _ => self.with(&[format!("{key}={}", text.trim())]).value(key),
+        }
     }
 
     /// The number that a key has in the scene.

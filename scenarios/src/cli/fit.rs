@@ -18,7 +18,7 @@ pub(super) struct FitArgs {
     /// Measured curves: a CSV file with time_s and columns named as in series.csv, such as wedge.vy_m_per_s.
     #[arg(long = "to", value_name = "FILE")]
     data: PathBuf,
-    /// Keys whose values are looked for, as body.mass,panels.belly.thickness; shift is the time of the scene's start in the data.
+    /// Keys whose values are looked for, as body.mass,panels.belly.thickness; shift, or shift=TIME where it begins, is the time of the scene's start in the data.
     #[arg(long = "for", value_name = "KEYS", value_delimiter = ',', required = true)]
     keys: Vec<String>,
     /// Folder for the files (default: runs/SCENE_fit).

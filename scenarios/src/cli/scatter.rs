@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use decide::scatter::{Found, Sample, ScatterFile, found, run};
 use decide::{EvaluateError, Evaluator};
-use settings::significant;
+use settings::{Problem, significant};
 
 use super::decisions::{finish, stop};
 use super::shared::{Output, Stop};
@@ -32,7 +32,10 @@ pub(super) fn run_scatter(output: &Output, args: &ScatterArgs) -> Result<u8, Sto
     let evaluator = Evaluator::new(&file.scene, &file.sets()).map_err(stop)?;
     let name = args.file.file_stem().unwrap_or_default().to_string_lossy();
     let out = args.out.clone().unwrap_or_else(|| PathBuf::from("runs").join(format!("{name}_scatter")));
-    file.inputs.keys().try_for_each(|key| evaluator.key(key).map(|_| ())).map_err(stop)?;
+    for key in file.inputs.keys() {
+        let refused = |why: EvaluateError| Problem::new(&format!("inputs.{key}"), key.as_str(), why.to_string());
+        evaluator.key(key).map_err(|why| stop(ScatterFile::error(&args.file, refused(why))))?;
+    }
     let head = serde_json::to_string(&(env!("CARGO_PKG_VERSION"), &file)).unwrap_or_default();
     let path = out.join(SAMPLES);
     let known = if args.force { Vec::new() } else { known(&path, &head)? };
@@ -46,7 +49,7 @@ pub(super) fn run_scatter(output: &Output, args: &ScatterArgs) -> Result<u8, Sto
         writeln!(lines, "{}", serde_json::to_string(sample).unwrap_or_default()).map_err(unwritten)
     });
     let samples = samples.map_err(stop)?;
-    let found = found(&file, &samples).map_err(stop)?;
+    let found = found(&file, &samples);
     finish(output, &out, "scatter", &found, &words(&found), &[("table.csv", csv(&file, &samples))])
 }
 
@@ -78,8 +81,10 @@ fn words(found: &Found) -> String {
     let inputs: Vec<&String> = found.inputs.keys().collect();
     for (name, of) in &found.results {
         let quantiles = of.quantiles.iter().map(|q| {
-            let interval =
-                q.interval.map_or(String::new(), |[a, b]| format!(" [{}, {}]", significant(a), significant(b)));
+            let interval = match q.interval {
+                Some([a, b]) => format!(" [{}, {}]", significant(a), significant(b)),
+                None => " (no interval: too few samples)".into(),
+            };
             format!("P{} {}{interval}", significant(100.0 * q.share), significant(q.value))
         });
         lines.push(format!("{name}: mean {}, {}", significant(of.mean), quantiles.collect::<Vec<_>>().join(", ")));
@@ -91,7 +96,10 @@ fn words(found: &Found) -> String {
         }
         let halves = of.quantiles.iter().map(|q| significant(q.of_half).to_string());
         lines.push(format!("  by half of the samples: {}", halves.collect::<Vec<_>>().join(", ")));
-        for (share, what) in [(of.without_band, "without a band"), (of.not_resolved, "not resolved")] {
+        let missing = "without this result, as those that failed: mean and quantiles are of the others, intervals hold whatever these would have given";
+        for (share, what) in
+            [(of.missing, missing), (of.without_band, "without a band"), (of.not_resolved, "not resolved")]
+        {
             if share > 0.0 {
                 lines.push(format!("  NOTE: {} % of the samples are {what}", significant(100.0 * share)));
             }

@@ -22,15 +22,15 @@ pub(super) struct SizeArgs {
     /// Key whose value is looked for, as panels.belly.thickness or body.deadrise_deg.
     #[arg(long = "for", value_name = "KEY")]
     key: String,
-    /// Smallest value (default: a quarter of the scene's).
-    #[arg(long, value_name = "VALUE", allow_negative_numbers = true)]
-    from: Option<f64>,
+    /// Smallest value, as 0.002 or "2 mm" (default: a quarter of the scene's).
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
+    from: Option<String>,
     /// Largest value (default: four times the scene's).
-    #[arg(long, value_name = "VALUE", allow_negative_numbers = true)]
-    to: Option<f64>,
-    /// Values that can be had, such as gauges of sheet: --values 0.002,0.0025,0.003.
-    #[arg(long, value_name = "LIST", value_delimiter = ',', allow_negative_numbers = true, conflicts_with_all = ["from", "to"])]
-    values: Vec<f64>,
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
+    to: Option<String>,
+    /// Values that can be had, such as gauges of sheet: --values 0.002,0.0025,0.003 or "2 mm, 2.5 mm, 3 mm".
+    #[arg(long, value_name = "LIST", value_delimiter = ',', allow_hyphen_values = true, conflicts_with_all = ["from", "to"])]
+    values: Vec<String>,
     /// Factor by which allowable stresses and limits are kept away from.
     #[arg(long, value_name = "FACTOR", default_value_t = 1.0)]
     reserve: f64,
@@ -53,7 +53,7 @@ pub(super) fn run_size(output: &Output, args: &SizeArgs) -> Result<u8, Stop> {
     let own = Evaluator::new(scene, sets).map_err(stop)?;
     let key = own.key(&args.key).map_err(stop)?;
     let out = folder(&args.out, &own, "size", args.force)?;
-    let (values, reserve) = (values(args, own.value(&key).map_err(stop)?)?, args.reserve);
+    let (values, reserve) = (values(args, &own, &key)?, args.reserve);
     if !(reserve > 0.0 && reserve.is_finite()) {
         return Err(Stop::Input(format!("--reserve {reserve}: expected a factor above 0")));
     }
@@ -69,9 +69,10 @@ pub(super) fn run_size(output: &Output, args: &SizeArgs) -> Result<u8, Stop> {
     finish(output, &out, "size", &sized, &words(&sized), &[("trials.csv", csv(&sized))])
 }
 
-fn values(args: &SizeArgs, own: f64) -> Result<Values, Stop> {
+fn values(args: &SizeArgs, own: &Evaluator, key: &str) -> Result<Values, Stop> {
+    let read = |text: &String| own.read(key, text).map_err(stop);
     if !args.values.is_empty() {
-        let mut values = args.values.clone();
+        let mut values = args.values.iter().map(read).collect::<Result<Vec<f64>, Stop>>()?;
         values.sort_by(f64::total_cmp);
         values.dedup();
         return match values.len() {
@@ -79,10 +80,11 @@ fn values(args: &SizeArgs, own: f64) -> Result<Values, Stop> {
             _ => Ok(Values::List(values)),
         };
     }
-    let usual = USUAL_RANGE.map(|share| share * own);
-    let usual = [usual[0].min(usual[1]), usual[0].max(usual[1])];
-    let [from, to] = [args.from.unwrap_or(usual[0]), args.to.unwrap_or(usual[1])];
-    if from >= to || !from.is_finite() || !to.is_finite() {
+    let value = own.value(key).map_err(stop)?;
+    let usual = USUAL_RANGE.map(|share| share * value);
+    let given = |text: &Option<String>, usual: f64| text.as_ref().map_or(Ok(usual), read);
+    let [from, to] = [given(&args.from, usual[0].min(usual[1]))?, given(&args.to, usual[0].max(usual[1]))?];
+    if from >= to {
         return Err(Stop::Input(format!("--from {from} --to {to}: expected a smaller and a larger value")));
     }
     Ok(Values::Range([from, to]))

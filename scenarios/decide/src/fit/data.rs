@@ -63,6 +63,9 @@ fn parse(file: &str, text: &str) -> Result<Vec<Curve>, DataError> {
     let Some(time) = names.iter().position(|name| *name == "time_s") else {
         return Err(wrong(line, head.into(), "a column time_s, in seconds"));
     };
+    if let Some(twice) = (1..names.len()).find(|k| names[..*k].contains(&names[*k])) {
+        return Err(wrong(line, format!("`{}` twice", names[twice]), "each column once"));
+    }
     let mut curves: Vec<Curve> =
         names.iter().map(|name| Curve { column: (*name).into(), points: Vec::new() }).collect();
     for (line, row) in lines {
@@ -102,6 +105,7 @@ mod tests {
         for (text, said) in [
             ("t,a\n0,1", "t.csv:1: t,a: expected a column time_s"),
             ("time_s,a\n0,1,2", "t.csv:2: 3 cells: expected 2"),
+            ("time_s,a,a\n0,1,2", "t.csv:1: `a` twice: expected each column once"),
             ("time_s,a\n0,x", "t.csv:2: a = \"x\": expected a number"),
             ("time_s,a\n0,nan", "expected a number"),
             ("time_s,a\n,1", "expected a time"),

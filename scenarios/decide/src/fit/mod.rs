@@ -15,7 +15,7 @@ use statrs::distribution::{ContinuousCDF, StudentsT};
 pub use data::{Curve, DataError, read};
 use least_squares::{Fit, minimise};
 
-use crate::evaluate::{EvaluateError, Evaluator};
+use crate::evaluate::{Answer, EvaluateError, Evaluator};
 
 /// Relative steps of the differences by which the curves' change with a value is found, each with the scatter of the fit before it: peaks of
 /// accelerations bend within the first.
@@ -28,6 +28,16 @@ const ALIKE: f64 = 0.98;
 const OFF: f64 = 0.3;
 /// Name of the time of the scene's start in the data [s].
 pub const SHIFT: &str = "shift";
+
+/// Where the shift begins [s], of the key `shift` or `shift=5.2`; `None` of another key.
+fn start_of_shift(key: &str) -> Option<f64> {
+    let rest = key.strip_prefix(SHIFT)?;
+    if rest.is_empty() {
+        Some(0.0)
+    } else {
+        rest.strip_prefix('=')?.trim().parse().ok().filter(|at: &f64| at.is_finite())
+    }
+}
 
 /// A value that was found.
 #[derive(Clone, Debug, Serialize)]
@@ -154,14 +164,21 @@ fn slopes(q: &[f64], step: f64, residuals: impl Fn(&[f64]) -> Option<Vec<f64>> +
 fn within_run(evaluator: &Evaluator, keys: &[String], curves: &[Curve]) -> Result<Vec<Curve>, EvaluateError> {
     let answer = evaluator.evaluate(&[])?;
     let [first, last] = [answer.rows.first(), answer.rows.last()].map(|row| row.map_or(0.0, |row| row[0]));
-    let slack = if keys.iter().any(|key| key == SHIFT) { 0.5 * (last - first) } else { 1e-9 * last };
+    if let Some(unknown) = curves.iter().find(|curve| !answer.columns[1..].contains(&curve.column)) {
+        return Err(no_column(&unknown.column, &answer));
+    }
+    let shift = keys.iter().find_map(|key| start_of_shift(key));
+    let slack = if shift.is_some() { 0.5 * (last - first) } else { 1e-9 * last };
+    let [first, last] = [first, last].map(|time| time + shift.unwrap_or(0.0));
     let mut kept = curves.to_vec();
     for curve in &mut kept {
         curve.points.retain(|[time, _]| (first - slack..=last + slack).contains(time));
     }
     kept.retain(|curve| !curve.points.is_empty());
     if kept.is_empty() {
-        return Err(EvaluateError::Key(format!("no point of the data is in the time of the run, {first} to {last} s")));
+        let other = "(of data with another start, `--for shift=TIME` gives the time of the scene's start in the data)";
+        let text = format!("no point of the data is in the time of the run, {first} to {last} s {other}");
+        return Err(EvaluateError::Key(text));
     }
     Ok(kept)
 }
@@ -174,8 +191,8 @@ fn unknowns(evaluator: &Evaluator, keys: &[String], curves: &[Curve]) -> Result<
     let last = curves.iter().flat_map(|curve| curve.points.iter().map(|p| p[0])).fold(0.0, f64::max);
     keys.iter()
         .map(|given| {
-            if given == SHIFT {
-                return Ok(Unknown { key: SHIFT.into(), start: 0.0, linear: Some(0.1 * last) });
+            if let Some(start) = start_of_shift(given) {
+                return Ok(Unknown { key: SHIFT.into(), start, linear: Some(0.1 * (last - start)) });
             }
             let key = evaluator.key(given)?;
             let start = evaluator.value(&key)?;
@@ -203,13 +220,15 @@ fn modelled(
         return Err(EvaluateError::Key(why.clone()));
     }
     let of = |curve: &Curve| {
-        let Some(at) = answer.curve(&curve.column) else {
-            let known = answer.columns[1..].join(", ");
-            return Err(EvaluateError::Key(format!("no column `{}`: expected one of: {known}", curve.column)));
-        };
+        let Some(at) = answer.curve(&curve.column) else { return Err(no_column(&curve.column, &answer)) };
         Ok(curve.points.iter().map(|[time, _]| at(time - shift)).collect())
     };
     curves.iter().map(of).collect()
+}
+
+fn no_column(column: &str, answer: &Answer) -> EvaluateError {
+    let known = answer.columns[1..].join(", ");
+    EvaluateError::Key(format!("no column `{column}`: expected one of: {known}"))
 }
 
 /// Weights of the curves from their residuals: 1 over the standard deviation.
@@ -270,13 +289,13 @@ fn notes(unknowns: &[Unknown], fit: &Fit, estimates: &[Estimate], correlation: f
     if outside > 0 {
         notes.push(format!("{outside} points are outside the time of the run and are left out"));
     }
-    for estimate in estimates.iter().filter(|e| {
-        e.key != SHIFT && e.interval.partial_cmp(&(UNKNOWN * e.value.abs())) != Some(std::cmp::Ordering::Less)
-    }) {
-        notes.push(format!(
-            "{}: these data do not determine it: its interval is wider than half its value",
-            estimate.key
-        ));
+    for Estimate { key, value, interval, .. } in estimates {
+        let is_shift = key == SHIFT;
+        let is_known = if is_shift { interval.is_finite() } else { *interval < UNKNOWN * value.abs() };
+        if !is_known {
+            let how = if is_shift { "has no end" } else { "is wider than half its value" };
+            notes.push(format!("{key}: these data do not determine it: its interval {how}"));
+        }
     }
     let spread = fit.covariance();
     for i in 0..spread.len() {

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::LazyLock;
 
+use nalgebra::DMatrix;
 use scene::read_text;
 use scene::source::Source;
 use schemars::JsonSchema;
@@ -31,7 +32,8 @@ pub struct ScatterFile {
     #[serde(default)]
     #[schemars(with = "BTreeMap<String, Value>")]
     pub set: Map<String, Value>,
-    /// Inputs that scatter: normal = [mean, standard deviation], uniform = [from, to], weibull = [scale, shape], table = [values].
+    /// Inputs that scatter: normal = [mean, standard deviation], uniform = [from, to], weibull = [scale, shape], table = [values],
+    /// which were measured, linear between neighbours.
     #[schemars(with = "BTreeMap<String, Value>")]
     pub inputs: BTreeMap<String, Distribution>,
     /// Correlations of pairs of inputs, of the normal distributions that stand for them.
@@ -127,6 +129,23 @@ impl ScatterFile {
         Ok(ScatterFile::of(&given).map_err(|problem| source.error(problem))?)
     }
 
+    /// What is wrong with a key of the file at `path`.
+    pub fn error(path: &Path, problem: Problem) -> EvaluateError {
+        let text = read_text(path).unwrap_or_default();
+        Source { name: path.display().to_string(), text, sets: Vec::new(), schema: schema() }.error(problem).into()
+    }
+
+    /// The correlations of the inputs, in their order.
+    pub(super) fn correlation_matrix(&self) -> DMatrix<f64> {
+        let keys: Vec<&String> = self.inputs.keys().collect();
+        let mut matrix = DMatrix::identity(keys.len(), keys.len());
+        for Correlation { keys: pair, value } in &self.correlations {
+            let [i, j] = pair.each_ref().map(|key| keys.iter().position(|known| *known == key).unwrap_or(0));
+            (matrix[(i, j)], matrix[(j, i)]) = (*value, *value);
+        }
+        matrix
+    }
+
     fn of(given: &Value) -> Result<ScatterFile, Problem> {
         for (key, input) in given.get("inputs").and_then(Value::as_object).into_iter().flatten() {
             Distribution::deserialize(input).map_err(|_| Problem::new(&format!("inputs.{key}"), input, FORM))?;
@@ -155,6 +174,16 @@ impl ScatterFile {
                     format!("two of {known}"),
                 ));
             }
+            let is_same = |other: &Correlation| keys.iter().all(|key| other.keys.contains(key));
+            if keys[0] == keys[1] || file.correlations[..k].iter().any(is_same) {
+                let expected = "two inputs that no other correlation has";
+                return Err(Problem::new(&format!("correlations[{k}].keys"), format!("{keys:?}"), expected));
+            }
+        }
+        if file.correlation_matrix().cholesky().is_none() {
+            let values: Vec<f64> = file.correlations.iter().map(|of| of.value).collect();
+            let expected = "values that are possible together: a positive definite matrix";
+            return Err(Problem::new("correlations", format!("{values:?}"), expected));
         }
         Ok(file)
     }

@@ -7,7 +7,6 @@ pub mod quantiles;
 
 use std::collections::BTreeMap;
 
-use nalgebra::DMatrix;
 use rayon::prelude::*;
 use scene::vocabulary::{Status, Verdict};
 use serde::{Deserialize, Serialize};
@@ -45,6 +44,9 @@ pub struct Scattered {
     pub standard_deviation: f64,
     /// Quantiles, with it.
     pub quantiles: Vec<Quantile>,
+    /// Share of the samples that do not have it, because they failed or the result does not occur in them [-]; the mean and the quantiles are of the
+    /// others.
+    pub missing: f64,
     /// Share of the samples whose number has no band [-].
     pub without_band: f64,
     /// Share of the samples whose number is not resolved [-].
@@ -71,28 +73,18 @@ pub struct Found {
 }
 
 /// The samples in the unit cube, shape (samples, inputs).
-pub fn shares(file: &ScatterFile) -> Result<Vec<Vec<f64>>, EvaluateError> {
+pub fn shares(file: &ScatterFile) -> Vec<Vec<f64>> {
     let plain = latin_hypercube(file.samples, file.inputs.len(), u64::from(file.seed));
     if file.correlations.is_empty() {
-        return Ok(plain);
+        return plain;
     }
-    let keys: Vec<&String> = file.inputs.keys().collect();
-    let mut matrix = DMatrix::identity(keys.len(), keys.len());
-    for Correlation { keys: pair, value } in &file.correlations {
-        let [i, j] = pair.each_ref().map(|key| keys.iter().position(|known| *known == key).unwrap_or(0));
-        (matrix[(i, j)], matrix[(j, i)]) = (*value, *value);
-    }
-    let Some(factor) = matrix.cholesky() else {
-        return Err(EvaluateError::Key(
-            "correlations: expected values that are possible together, and of two inputs each".into(),
-        ));
-    };
+    let Some(factor) = file.correlation_matrix().cholesky() else { return plain }; // refused where the file was read
     let (lower, normal) = (factor.l(), distribution::standard());
     let correlated = |sample: Vec<f64>| {
         let z: Vec<f64> = sample.iter().map(|share| normal.inverse_cdf(*share)).collect();
         (0..z.len()).map(|i| normal.cdf((0..=i).map(|j| lower[(i, j)] * z[j]).sum())).collect()
     };
-    Ok(plain.into_iter().map(correlated).collect())
+    plain.into_iter().map(correlated).collect()
 }
 
 /// Run the samples from number `known.len()` on; `done` is called with each that follows, in order.
@@ -106,7 +98,7 @@ pub fn run(
     mut done: impl FnMut(&Sample) -> Result<(), EvaluateError>,
 ) -> Result<Vec<Sample>, EvaluateError> {
     let keys = file.inputs.keys().map(|key| evaluator.key(key)).collect::<Result<Vec<String>, _>>()?;
-    let shares = shares(file)?;
+    let shares = shares(file);
     let mut samples = known;
     while samples.len() < shares.len() {
         let to = (samples.len() + CHUNK).min(shares.len());
@@ -130,8 +122,8 @@ fn sample(file: &ScatterFile, evaluator: &Evaluator, keys: &[String], shares: &[
 }
 
 /// The scatter of every result.
-pub fn found(file: &ScatterFile, samples: &[Sample]) -> Result<Found, EvaluateError> {
-    let shares = shares(file)?;
+pub fn found(file: &ScatterFile, samples: &[Sample]) -> Found {
+    let shares = shares(file);
     let names: Vec<String> = {
         let mut names: Vec<String> = samples.iter().flat_map(|sample| sample.numbers.keys().cloned()).collect();
         names.sort();
@@ -153,20 +145,21 @@ pub fn found(file: &ScatterFile, samples: &[Sample]) -> Result<Found, EvaluateEr
         Scattered {
             mean,
             standard_deviation: square.sqrt(),
-            quantiles: quantiles::quantiles(&values),
+            quantiles: quantiles::quantiles(&values, samples.len() - values.len()),
+            missing: 1.0 - n / samples.len() as f64,
             without_band: share(&|number| number.band.is_none()),
             not_resolved: share(&|number| number.verdict == Some(Verdict::NotResolved)),
             indices: indices.flatten(),
         }
     };
     let failures = || samples.iter().filter_map(|sample| sample.failed.clone());
-    Ok(Found {
+    Found {
         inputs: file.inputs.clone(),
         samples: samples.len(),
         failed: failures().count(),
         first_failure: failures().next(),
         results: names.iter().map(|name| (name.clone(), of(name))).collect(),
-    })
+    }
 }
 
 #[cfg(test)]
@@ -182,7 +175,7 @@ mod tests {
         let text = "scene = \"wedge\"\nsamples = 2000\n[inputs]\na = { normal = [1, 2] }\nb = { uniform = [0, 1] }\n\
                     [[correlations]]\nkeys = [\"a\", \"b\"]\nvalue = 0.8";
         let file = parse(text).expect("a file");
-        let shares = shares(&file).expect("samples");
+        let shares = shares(&file);
         let mean = |k: usize| shares.iter().map(|s| s[k]).sum::<f64>() / 2000.0;
         assert!((mean(0) - 0.5).abs() < 0.01 && (mean(1) - 0.5).abs() < 0.01);
         let both = shares.iter().map(|s| (s[0] - 0.5) * (s[1] - 0.5)).sum::<f64>() / 2000.0;
@@ -197,6 +190,12 @@ mod tests {
             ("scene = \"wedge\"", "inputs"),
             ("scene = \"wedge\"\n[inputs]\na = { normal = [1, 0] }", "standard deviation above 0"),
             ("scene = \"wedge\"\n[inputs]\na = { gamma = [1, 0] }", "gamma"),
+            (
+                "scene = \"wedge\"\n[inputs]\na = { uniform = [1, 2] }\nb = { uniform = [1, 2] }\nc = { uniform = [1, 2] }\n\
+                 [[correlations]]\nkeys = [\"a\", \"b\"]\nvalue = 0.9\n[[correlations]]\nkeys = [\"b\", \"c\"]\nvalue = 0.9\n\
+                 [[correlations]]\nkeys = [\"a\", \"c\"]\nvalue = -0.9",
+                "possible together",
+            ),
             ("scene = \"wedge\"\nsamples = 3\n[inputs]\na = { uniform = [1, 2] }", "samples"),
             (
                 "scene = \"wedge\"\n[inputs]\na = { uniform = [1, 2] }\n[[correlations]]\nkeys = [\"a\", \"c\"]\nvalue = 0.2",

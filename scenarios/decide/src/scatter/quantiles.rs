@@ -19,21 +19,19 @@ pub struct Quantile {
     pub share: f64,
     /// Its value; the model's own error is in it where the result has a band.
     pub value: f64,
-    /// Ends of its 95 % interval, by the number of samples; absent where the samples are too few.
+    /// Ends of its 95 % interval, by the number of samples and whatever the missing ones would have given; absent where the samples are too few.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub interval: Option<[f64; 2]>,
     /// The same by the first half of the samples: how far it has settled.
     pub of_half: f64,
 }
 
-/// Quantiles of values with half bands, in the order in which they were drawn.
-pub fn quantiles(values: &[[f64; 2]]) -> Vec<Quantile> {
-    let mut sorted: Vec<f64> = values.iter().map(|v| v[0]).collect();
-    sorted.sort_by(f64::total_cmp);
+/// Quantiles of values with half bands, in the order in which they were drawn; `missing` more have no value.
+pub fn quantiles(values: &[[f64; 2]], missing: usize) -> Vec<Quantile> {
     let of = |share: f64| Quantile {
         share,
         value: mixed(values, share),
-        interval: interval(&sorted, share),
+        interval: interval(values.len(), missing, share).map(|ends| ends.map(|share| mixed(values, share))),
         of_half: mixed(&values[..values.len().div_ceil(2)], share),
     };
     SHARES.map(of).to_vec()
@@ -63,13 +61,13 @@ fn mixed(values: &[[f64; 2]], share: f64) -> f64 {
     0.5 * (low + high)
 }
 
-/// Order statistics around a quantile, at 95 % (normal approximation of the binomial distribution).
-fn interval(sorted: &[f64], share: f64) -> Option<[f64; 2]> {
-    let n = sorted.len() as f64;
-    let (middle, half) = (n * share, 1.96 * (n * share * (1.0 - share)).sqrt());
-    let [low, high] = [middle - half, middle + half];
-    let inside = low >= 0.0 && high <= n - 1.0;
-    inside.then(|| [low, high].map(|at| sorted[at.round() as usize]))
+/// Shares of the known values between which a quantile of all is, at 95 % (normal approximation of the binomial distribution): all missing ones may
+/// be above it, or below.
+fn interval(known: usize, missing: usize, share: f64) -> Option<[f64; 2]> {
+    let [known, all] = [known as f64, (known + missing) as f64];
+    let half = 1.96 * (all * share * (1.0 - share)).sqrt();
+    let [low, high] = [(all * share - half - missing as f64) / known, (all * share + half) / known];
+    (low > 0.0 && high <= 1.0 - 1.0 / known).then_some([low, high])
 }
 
 #[cfg(test)]
@@ -85,14 +83,27 @@ mod tests {
         let samples = latin_hypercube(4000, 1, 1);
         let with = |band: f64| samples.iter().map(|u| [input.quantile(u[0]), band]).collect::<Vec<_>>();
         for (band, sd) in [(0.0, 3.0), (8.0, 5.0)] {
-            let found = quantiles(&with(band));
+            let found = quantiles(&with(band), 0);
             for Quantile { share, value, of_half, .. } in &found {
                 let exact = Distribution::Normal([10.0, sd]).quantile(*share);
                 assert!((value - exact).abs() < 0.03 * sd && (of_half - exact).abs() < 0.25 * sd, "{found:?}");
             }
-            let [low, high] = found[1].interval.expect("enough samples");
-            assert!(low < high && low < Distribution::Normal([10.0, 3.0]).quantile(0.95));
+            for Quantile { value, interval, .. } in &found {
+                let [low, high] = interval.expect("enough samples");
+                assert!(low < *value && *value < high, "{found:?}");
+            }
         }
-        assert!(quantiles(&with(0.0)[..20])[2].interval.is_none());
+        assert!(quantiles(&with(0.0)[..20], 0)[2].interval.is_none());
+    }
+
+    /// The largest tenth failed: the interval of the 80 % value holds it, that of the 95 % value has no end.
+    #[test]
+    fn missing_samples_widen_intervals() {
+        let all = latin_hypercube(4000, 1, 1);
+        let known: Vec<[f64; 2]> = all.iter().map(|u| [u[0], 0.0]).filter(|v| v[0] < 0.9).collect();
+        let missing = all.len() - known.len();
+        assert!(quantiles(&known, missing)[1].interval.is_none());
+        let [low, high] = interval(known.len(), missing, 0.8).expect("an interval").map(|share| mixed(&known, share));
+        assert!(low < 0.7 && (0.8..0.82).contains(&high), "{low} {high}");
     }
 }

@@ -95,6 +95,7 @@ mod tests {
             status: Status::Completed,
             message: None,
             numbers,
+            doubts: Default::default(),
             columns: Vec::new(),
             rows: Vec::new(),
             seconds: 0.0,

@@ -13,7 +13,7 @@ use scene::{Symmetry, panel_length};
 use serde::Serialize;
 
 pub use margin::{Limit, Margin};
-use search::{Found, Search};
+use search::{Found, Search, Untried};
 pub use trial::Trial;
 
 use crate::evaluate::{EvaluateError, Evaluator};
@@ -22,6 +22,8 @@ use crate::evaluate::{EvaluateError, Evaluator};
 const FIRST: usize = 7;
 /// Change of the margin over all values below which they have no influence [-].
 const WITHOUT: f64 = 1e-6;
+/// Runs that look for an allowed value where none of the first is.
+const BESIDE_BEST: usize = 8;
 /// Runs of particles that confirm at most.
 const CONFIRMATIONS: usize = 4;
 /// What is added to the missing part of a value after a run of particles did not confirm it [-].
@@ -49,13 +51,6 @@ pub struct Question {
     pub limits: Vec<Limit>,
     /// Is the value confirmed by particles?
     pub confirm: bool,
-}
-
-/// A value that cannot be run.
-#[derive(Clone, Debug)]
-struct Untried {
-    value: f64,
-    why: String,
 }
 
 /// What was found.
@@ -92,46 +87,29 @@ impl Question {
                 (0..FIRST).map(|k| from + (to - from) * k as f64 / (FIRST - 1) as f64).collect()
             }
         };
-        let first: Result<Vec<_>, EvaluateError> = values.par_iter().map(|value| trial(cheap, *value)).collect();
-        let (tried, mut untried) = (Vec::new(), Vec::new());
-        let tried = first?.into_iter().fold(tried, |mut tried, one| {
-            match one {
-                Ok(trial) => tried.push(trial),
-                Err(failed) => untried.push(failed),
-            }
-            tried
-        });
-        if let (true, Some(first)) = (tried.is_empty(), untried.first()) {
-            return Err(EvaluateError::Key(format!(
-                "{}: no value can be run; {}: {}",
-                self.key, first.value, first.why
-            )));
+        if let Values::List(values) = &self.values {
+            values.iter().try_for_each(|value| cheap.load(&[(self.key.as_str(), *value)]).map(|_| ()))?;
         }
-        let mut search = Search::of(tried);
-        let Some(mut found) = search.boundary() else {
-            let best = search.best();
-            return Err(EvaluateError::Key(format!(
-                "{}: no value from {} to {} is allowed: the best is {} with a margin of {:+.1} % ({})",
-                self.key,
-                values[0],
-                values[values.len() - 1],
-                best.value,
-                100.0 * best.margin.share,
-                best.margin.decided_by
-            )));
-        };
-        if let Values::Range(_) = self.values {
-            while let Some(next) = found.next() {
-                match trial(cheap, next)? {
-                    Ok(one) => search.add(one),
-                    Err(failed) => {
-                        untried.push(failed);
-                        break;
-                    }
-                }
-                let Some(nearer) = search.boundary() else { break };
-                found = nearer;
+        let mut search = Search::of(Vec::new(), Vec::new());
+        let first: Result<Vec<_>, EvaluateError> = values.par_iter().map(|value| trial(cheap, *value)).collect();
+        first?.into_iter().for_each(|one| search.add(one));
+        if let (true, Some(Untried { value, why })) = (search.trials.is_empty(), search.untried.first()) {
+            return Err(EvaluateError::Key(format!("{}: no value can be run; {value}: {why}", self.key)));
+        }
+        let is_range = matches!(self.values, Values::Range(_));
+        for _ in 0..if is_range { BESIDE_BEST } else { 0 } {
+            match search.beside_best().filter(|_| search.boundary().is_none()) {
+                Some(next) => search.add(trial(cheap, next)?),
+                None => break,
             }
+        }
+        let Some(mut found) = search.boundary() else {
+            return Err(self.none_allowed(&search, [values[0], values[values.len() - 1]]));
+        };
+        while let Some(next) = found.next().filter(|_| is_range) {
+            search.add(trial(cheap, next)?);
+            let Some(nearer) = search.boundary() else { break };
+            found = nearer;
         }
         let mut decided = search.at(found.allowed).clone();
         let mut confirmed: Vec<Trial> = Vec::new();
@@ -155,11 +133,11 @@ impl Question {
             }
         }
         Ok(Sized {
-            notes: self.notes(&found, &decided, &confirmed, &search, &untried),
+            notes: notes(&found, &decided, &confirmed, &search),
             key: self.key.clone(),
             value,
             is_largest: found.is_largest,
-            at_end: found.forbidden.is_none(),
+            at_end: found.is_at_end(),
             decided,
             confirmed,
             trials: search.trials,
@@ -180,7 +158,8 @@ impl Question {
         let mass: f64 = panels.map(|(body, p)| p.thickness * p.density * panel_length(body, p)).sum();
         let sides = if scene.symmetry == Symmetry::X { 2.0 } else { 1.0 };
         let model = answer.model.into();
-        Ok(Ok(Trial { value, model, margin, panel_mass_kg_per_m: sides * mass.abs() }))
+        let doubts = answer.doubts_about(&margin.decided_by);
+        Ok(Ok(Trial { value, model, margin, panel_mass_kg_per_m: sides * mass.abs(), doubts }))
     }
 
     /// The next value to confirm, after one that particles found short of a margin.
@@ -196,43 +175,60 @@ impl Question {
         }
     }
 
-    fn notes(
-        &self,
-        found: &Found,
-        decided: &Trial,
-        confirmed: &[Trial],
-        search: &Search,
-        untried: &[Untried],
-    ) -> Vec<String> {
-        let cannot = |one: &Untried| format!("{} cannot be run and is left out: {}", one.value, one.why);
-        let mut notes: Vec<String> = untried.iter().map(cannot).collect();
-        let is_mean = |trial: &Trial| {
-            ["peak_force", "peak_acceleration"].iter().any(|name| trial.margin.decided_by.starts_with(name))
-        };
-        if confirmed.iter().any(is_mean) {
-            notes.push("particles quote means of forces and accelerations, theories do not without report.bandwidth: give both the same".into());
-        }
-        let margins = || search.trials.iter().map(|trial| trial.margin.share);
-        if margins().fold(f64::NEG_INFINITY, f64::max) - margins().fold(f64::INFINITY, f64::min) < WITHOUT {
-            notes.push("the value has no influence on what decides".into());
-        }
-        if found.forbidden.is_none() {
-            notes.push("all values are allowed: no limit decides within the range".into());
-        }
-        if !search.is_monotone(found.is_largest) {
+    fn none_allowed(&self, search: &Search, [from, to]: [f64; 2]) -> EvaluateError {
+        let Trial { value, margin, .. } = search.best();
+        let (key, share, by) = (&self.key, 100.0 * margin.share, &margin.decided_by);
+        let best = format!("the best is {value} with a margin of {share:+.1} % ({by})");
+        let left_out = cannot_be_run(search).map_or(String::new(), |sentence| format!("; {sentence}"));
+        EvaluateError::Key(format!("{key}: no value from {from} to {to} is allowed: {best}{left_out}"))
+    }
+}
+
+/// Which values cannot be run, and why the first of them cannot.
+fn cannot_be_run(search: &Search) -> Option<String> {
+    let Untried { value, why } = search.untried.first()?;
+    let more = search.untried.len() - 1;
+    let others = if more > 0 { format!(" (and {more} more)") } else { String::new() };
+    Some(format!("{value}{others} cannot be run and is left out: {why}"))
+}
+
+/// Sentences that a reader must know.
+fn notes(found: &Found, decided: &Trial, confirmed: &[Trial], search: &Search) -> Vec<String> {
+    let mut notes: Vec<String> = cannot_be_run(search).into_iter().collect();
+    let is_mean = |trial: &Trial| {
+        ["peak_force", "peak_acceleration"].iter().any(|name| trial.margin.decided_by.starts_with(name))
+    };
+    if confirmed.iter().any(is_mean) {
+        notes.push("particles quote means of forces and accelerations, theories do not without report.bandwidth: give both the same".into());
+    }
+    let margins = || search.trials.iter().map(|trial| trial.margin.share);
+    if margins().fold(f64::NEG_INFINITY, f64::max) - margins().fold(f64::INFINITY, f64::min) < WITHOUT {
+        notes.push("the value has no influence on what decides".into());
+    }
+    if found.is_at_end() {
+        notes.push("all values that can be run are allowed: no limit decides within the range".into());
+    }
+    match found.until {
+        Some(until) => notes.push(format!("{until} and larger values are not allowed: see the trials")),
+        None if !search.is_monotone(found.is_largest) => {
             notes.push("the margin does not grow steadily with the value: see the trials".into());
         }
-        let judged = confirmed.last().unwrap_or(decided);
-        match judged.margin.verdict {
-            Some(Verdict::Resolved) => {}
-            Some(verdict) => {
-                notes.push(format!("{}: {}: its band is not in the margin", judged.margin.decided_by, verdict.words()))
-            }
-            None => notes.push(format!("{}: not judged", judged.margin.decided_by)),
-        }
-        if confirmed.last().is_some_and(|last| last.margin.share < 0.0) {
-            notes.push("particles do not confirm it within the range".into());
-        }
-        notes
+        None => {}
     }
+    let Trial { margin: judged, doubts, .. } = confirmed.last().unwrap_or(decided);
+    let by = &judged.decided_by;
+    if let Some(verdict) = judged.verdict.filter(|verdict| *verdict != Verdict::Resolved) {
+        notes.push(format!("{by}: {}", verdict.words()));
+    }
+    if judged.verdict.is_none() {
+        notes.push(format!("{by}: not judged"));
+    }
+    if judged.band.is_none() {
+        notes.push(format!("{by}: no band is in the margin"));
+    }
+    notes.extend(doubts.iter().cloned());
+    if confirmed.last().is_some_and(|last| last.margin.share < 0.0) {
+        notes.push("particles do not confirm it within the range".into());
+    }
+    notes
 }

@@ -16,4 +16,7 @@ pub struct Trial {
     pub margin: Margin,
     /// Mass of all panels, both sides of a section that is simulated by half [kg/m].
     pub panel_mass_kg_per_m: f64,
+    /// Doubts about the result that decides.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub doubts: Vec<String>,
 }

@@ -28,6 +28,17 @@ impl Results {
         (!about.is_empty()).then(|| Doubt { about, why: why.into() })
     }
 
+    /// Stresses of panels whose far end the water has not reached by the end of the run are not resolved.
+    pub fn not_passed(&mut self, panels: &[String]) -> Option<Doubt> {
+        let mut about = Vec::new();
+        for (panel, of_panel) in self.panels.iter_mut().filter(|(name, _)| panels.contains(name)) {
+            of_panel.values_mut().for_each(|quantity| *quantity = quantity.doubted());
+            about.push(panel.clone());
+        }
+        let why = "the water has not come to the panel's far end by the end of the run: its stress may go on growing, which a later time.end would show";
+        (!about.is_empty()).then(|| Doubt { about, why: why.into() })
+    }
+
     /// The same; where work of the water is lost between fluid and body, results of panels are not resolved.
     pub fn with_work_lost(mut self, lost: bool) -> Results {
         let of_panels = self.panels.values_mut().flat_map(|panel| panel.values_mut());
