@@ -120,6 +120,12 @@ fn modelled(scene: &Scene) -> Vec<String> {
 }
 
 fn not_modelled(scene: &Scene) -> Vec<String> {
+    let Some(body) = &scene.body else {
+        return vec![
+            "The third dimension: the water is the same in every plane.".into(),
+            "Air above the water.".into(),
+        ];
+    };
     let mut lines = vec![
         "Water that escapes at the ends of the body: real forces are lower (report.length shows by how much)."
             .to_string(),
@@ -128,7 +134,7 @@ fn not_modelled(scene: &Scene) -> Vec<String> {
     if scene.model.is_theory() {
         lines.push("Spray after it leaves the body, walls of the tank, and water that comes back.".into());
     }
-    if !scene.body.as_ref().is_some_and(Body::bends) {
+    if !body.bends() {
         lines.push("Bending of the body.".into());
     }
     lines

@@ -67,6 +67,36 @@ fn the_smallest_gauge_is_the_first_that_is_allowed() {
     assert!((number(&answer["decided"], "panel_mass_kg_per_m") / mass - 1.0).abs() < 1e-3, "{answer}");
 }
 
+/// Two limits allow masses between 185 and 275 kg/m; ends that no limit decides, or that are too early for the panel, are named.
+#[test]
+fn the_smallest_value_between_two_limits_and_what_no_limit_decides() {
+    let place = Workplace::new();
+    let size = |given: &[&str]| {
+        let ended = place.run(&[&["size"], given, &["--json", "--force"]].concat());
+        assert_eq!(ended.code, Some(0), "{given:?}: {}", ended.message);
+        serde_json::from_str::<Value>(&ended.stdout).expect("JSON on stdout")
+    };
+    let limits = ["--limit", "peak_acceleration_g=12", "--limit", "peak_force_N_per_m=26000"];
+    let between = size(&[&["wedge", "--for", "body.mass", "--values=100,200,300 kg/m"], &limits[..]].concat());
+    assert_eq!((number(&between, "value"), &between["is_largest"]), (200.0, &false.into()));
+    assert!(between["notes"].to_string().contains("300 and larger values are not allowed"), "{between}");
+
+    let panel = place.run(&["new", "panel"]);
+    std::fs::write(place.path("panel.toml"), panel.stdout).expect("a file");
+    let thickness = |more: &[&str]| size(&[&["panel.toml", "--for", "panels.bottom.thickness"], more].concat());
+    // a thickness that cannot be run is no end of the search
+    let usual = number(&thickness(&["--reserve", "1.2"]), "value");
+    let wide = thickness(&["--reserve", "1.2", "--from", "0.2 mm", "--to", "20 mm"]);
+    assert!((number(&wide, "value") / usual - 1.0).abs() < 4e-3 && wide["at_end"] == false, "{usual} {wide}");
+    assert!(wide["notes"].to_string().contains("cannot be run"), "{wide}");
+    let early = thickness(&["--reserve", "1.2", "--set", "time.end=0.006"]);
+    let notes = early["notes"].to_string();
+    assert!(
+        notes.contains("not resolved") && notes.contains("over most of the panel by the end of the run"),
+        "{early}"
+    );
+}
+
 /// Mass and speed of a drop are found from its velocity with a known error added; what the data do not determine is named.
 #[test]
 fn a_fit_finds_the_values_of_a_drop() {
@@ -162,10 +192,22 @@ fn wrong_questions_are_refused() {
         .expect("a file");
     std::fs::write(place.path("k.toml"), "scene = \"wedge\"\n[inputs]\nbody.name = { normal = [1, 1] }\n")
         .expect("a file");
+    let inputs = "scene = \"wedge\"\n[inputs]\nbody.mass = { normal = [200, 1] }\n";
+    std::fs::write(place.path("u.toml"), format!("{inputs}body.masss = {{ normal = [1, 1] }}\n")).expect("a file");
+    std::fs::write(place.path("g.toml"), "scene = \"wedge\"\n[grid]\nbody.mass = { normal = [200, 1] }\n")
+        .expect("a file");
+    std::fs::write(place.path("late.csv"), "time_s,wedge.vy_m_per_s\n5,-6\n5.01,-5\n5.02,-4\n").expect("a file");
+    let late = ["fit", "wedge", "--set", "model=mlm", "--to", "late.csv", "--for", "body.mass"];
     for (arguments, said) in [
         (&["scatter", "s.toml"][..], &["s.toml:3", "body.mass", "standard deviation above 0"][..]),
         (&["scatter", "k.toml"], &["body.name", "no number there"]),
         (&["scatter", "none.toml"], &["cannot read none.toml"]),
+        (&["scatter", "u.toml"], &["u.toml:4", "body.masss"]),
+        (&["sweep", "g.toml"], &["g.toml:3", "splashdown scatter"]),
+        (&["certify", "wedge"], &["neither a built-in landing nor a file"]),
+        (&["size", "wedge", "--for", "body.mass", "--values=-8,-4"], &["body.mass", "-8", "above 0"]),
+        (&["size", "wedge", "--for", "body.mass", "--from", "nan", "--to", "2"], &["body.mass"]),
+        (&late, &["no point of the data", "shift=TIME"]),
         (&["size", "wedge", "--set", "model=mlm", "--for", "body.deadrise_deg"][..], &["no result has a limit"][..]),
         (&["size", "wedge", "--for", "panels.belly.thickness"], &["no panel `belly`"]),
         (&["size", "wedge", "--for", "body.name"], &["no number there"]),

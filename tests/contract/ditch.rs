@@ -305,7 +305,7 @@ fn a_landing_refuses_what_it_cannot_use() {
         ended.says(says);
         assert!(!place.path("none").exists());
     };
-    refused(&["mercury"], &["neither a built-in scene nor a file", "mercure"]);
+    refused(&["mercury"], &["neither a built-in landing nor a file", "mercure"]);
     refused(&["mercure", "--set", "landing.end=-1"], &["landing.end", "above 0"]);
     refused(&["mercure", "--set", "landing.speeed=70"], &["unknown key", "landing.speed"]);
     let similarity = ["mercure", "--set", "model=similarity"];

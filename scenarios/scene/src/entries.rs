@@ -6,6 +6,9 @@ use super::auto::{auto_fine_zone, fastest_speed};
 use super::impact::Entry;
 use super::keys::{Body, Joint, Motion, Scene, Tank};
 
+/// Share of its speed at contact at which a body still presses half as hard [-].
+const STILL_FAST: f64 = 0.7;
+
 /// The water that bodies meet, and how long.
 #[derive(Clone, Copy)]
 pub(super) struct Meeting {
@@ -82,6 +85,13 @@ impl Scene {
     /// holds it.
     pub fn entry(&self) -> Option<Entry> {
         self.meeting().entry(self.body.as_ref()?, &self.joints)
+    }
+
+    /// Names of the panels whose stress may still grow at the end of a run: the body is still fast and the water has not come over most of them.
+    pub fn panels_not_passed(&self, now: &fsi_coupling::Motion) -> Vec<String> {
+        let (Some(body), Some(entry)) = (&self.body, self.entry()) else { return Vec::new() };
+        let is_fast = -now.velocity[1] > STILL_FAST * entry.speed;
+        if is_fast { body.panels_not_passed(now) } else { Vec::new() }
     }
 
     /// How each body that falls or moves down into the water meets it; bodies that joints hold are left out.

@@ -12,11 +12,13 @@ use thiserror::Error;
 #[derive(Debug, Error, Diagnostic)]
 pub enum SceneError {
     /// Neither a built-in scene nor a file.
-    #[error("`{name}` is neither a built-in scene nor a file{}", near.as_ref().map_or(String::new(), |near| format!(": did you mean `{near}`?")))]
+    #[error("`{name}` is neither a built-in {kind} nor a file{}", near.as_ref().map_or(String::new(), |near| format!(": did you mean `{near}`?")))]
     Unknown {
         /// What was asked for.
         name: String,
-        /// The built-in scene with the nearest name.
+        /// What it should be, as `scene` or `landing`.
+        kind: &'static str,
+        /// The built-in one with the nearest name.
         near: Option<String>,
         /// The scenes there are.
         #[help]
@@ -80,10 +82,10 @@ impl SceneError {
     pub fn to_json(&self) -> Value {
         let message = self.to_string();
         match self {
-            SceneError::Unknown { name, near, help } => {
-                let expected = near.as_ref().map(|near| format!("a scene, such as `{near}`"));
+            SceneError::Unknown { name, kind, near, help } => {
+                let expected = near.as_ref().map(|near| format!("a {kind}, such as `{near}`"));
                 json!({"message": message, "file": null, "line": null, "key": null, "given": name,
-                       "expected": expected.unwrap_or("a built-in scene or a file".into()), "help": help})
+                       "expected": expected.unwrap_or_else(|| format!("a built-in {kind} or a file")), "help": help})
             }
             SceneError::Unreadable { path, .. } => {
                 json!({"message": message, "file": path, "line": null, "key": null, "given": null,

@@ -23,7 +23,7 @@ pub enum Expected {
 }
 
 impl Expected {
-    fn name(self) -> &'static str {
+    pub(crate) fn name(self) -> &'static str {
         match self {
             Expected::Scene => "a scene",
             Expected::Landing => "a landing",

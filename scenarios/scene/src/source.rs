@@ -58,7 +58,8 @@ impl Source {
                     let names: Vec<&str> = builtin.iter().map(|(name, _)| *name).collect();
                     let help = format!("built-in {}: {}", expected.plural(), names.join(", "));
                     let near = nearest(&path, names).map(String::from);
-                    return Err(SceneError::Unknown { name: path, near, help });
+                    let kind = expected.name().trim_start_matches("a ");
+                    return Err(SceneError::Unknown { name: path, kind, near, help });
                 }
                 Err(cause) => return Err(SceneError::Unreadable { path, cause }),
             },

@@ -151,7 +151,7 @@ fn one(
             set("landing.angle_of_attack_deg", rounded(pitch_deg - path_deg));
             set("landing.flight_path_deg", rounded(path_deg));
             set("landing.speed", rounded(speed));
-            (out_of_range(scene, speed, path_deg, sink), Some(speed * angle.cos()))
+            (out_of_range(scene, speed, path_deg, sink), Some((1e9 * speed * angle.cos()).round() / 1e9))
         }
     };
     let (sea, heading, phase, seed) = water;

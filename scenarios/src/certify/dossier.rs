@@ -42,7 +42,7 @@ pub fn dossier(plan: &Plan, found: &Findings) -> String {
 fn how_to_read() -> &'static str {
     "Each number names the case that gives it; cases.csv has all cases, certify.json the same as this page for programs, pressure_envelope.csv the cells \
      of the bottom. A case is a landing on the water by strips (2D+t) that the last section repeats by one command.\n\n\
-     Numbers of cases that failed on their way stand apart: they are those up to the failure."
+     Numbers of cases that failed on their way stand apart: they are those up to the failure. A case with a doubt is marked; the table of reasons says which doubt."
 }
 
 fn lead(plan: &Plan, found: &Findings) -> Lead {
@@ -54,11 +54,11 @@ fn lead(plan: &Plan, found: &Findings) -> Lead {
             title: format!("Worst: {}", worst.title),
             value: digits(unit.scale * worst.extreme.value),
             unit: if unit.name == "-" { String::new() } else { unit.name },
-            lines: vec![(format!("case {}", worst.extreme.case), None)],
+            lines: vec![(format!("case {}", found.case(worst.extreme.case)), None)],
             chip: Some((Tone::Doubtful, "no band known".into())),
         }
     };
-    let open = found.paragraphs.iter().filter(|answer| answer.answer == "not answered");
+    let open = found.paragraphs.iter().filter(|answer| answer.answer == super::rule::NOT_ANSWERED);
     let open: Vec<&str> = open.map(|answer| answer.paragraph.as_str()).collect();
     let of_paragraphs = match open.is_empty() {
         true => "Each paragraph is answered in part; none is answered wholly.".to_string(),

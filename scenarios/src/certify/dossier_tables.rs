@@ -94,11 +94,14 @@ pub(super) fn worst(found: &Findings) -> Vec<Block> {
         let before = worst
             .before_a_failure
             .map_or("–".into(), |failed| format!("{} (case {})", with_unit(failed.value, worst.unit), failed.case));
-        row(&[&worst.title, &with_unit(value, worst.unit), &time, &case.to_string(), &worst.words, &before])
+        row(&[&worst.title, &with_unit(value, worst.unit), &time, &found.case(case), &worst.words, &before])
     };
     let head = ["quantity", "worst value", "time [s]", "case", "the case", "worse before a failure"];
-    let table =
-        Table::new("Worst values over all cases that completed; none has a known band", &head, shown.map(of).collect());
+    let table = Table::new(
+        "Worst values over all cases that completed, with a doubt or without; none has a known band",
+        &head,
+        shown.map(of).collect(),
+    );
     vec![Block::Table(table)]
 }
 
@@ -112,7 +115,7 @@ pub(super) fn stations(plan: &Plan, found: &Findings) -> Vec<Block> {
     });
     let of_station = |x: f64| {
         let cells = columns.iter().zip(&units).flat_map(|((what, _), unit)| match of(x, what) {
-            Some(extreme) if extreme.value != 0.0 => [digits(unit.scale * extreme.value), extreme.case.to_string()],
+            Some(extreme) if extreme.value != 0.0 => [digits(unit.scale * extreme.value), found.case(extreme.case)],
             _ => ["–".into(), "–".into()],
         });
         std::iter::once(digits(x)).chain(cells).collect()
@@ -131,7 +134,7 @@ pub(super) fn stations(plan: &Plan, found: &Findings) -> Vec<Block> {
     ];
     let rows = plan.scene.stations.iter().map(|station| of_station(station.x)).collect();
     vec![Block::Table(Table {
-        title: "Stations: worst values over all cases that completed".into(),
+        title: "Stations: worst values over all cases that completed, with a doubt or without".into(),
         head: head.to_vec(),
         rows,
     })]
@@ -142,7 +145,7 @@ pub(super) fn pressures(found: &Findings) -> Vec<Block> {
     let windows = found.worst.iter().filter(|worst| worst.name.starts_with("window."));
     let window = |worst: &Worst| {
         let Extreme { value, time_s, case } = worst.extreme;
-        row(&[&worst.title, &with_unit(value, "Pa"), &digits(time_s), &case.to_string(), &worst.words])
+        row(&[&worst.title, &with_unit(value, "Pa"), &digits(time_s), &found.case(case), &worst.words])
     };
     let windows: Vec<_> = windows.map(window).collect();
     let mut blocks = Vec::new();
@@ -159,7 +162,7 @@ pub(super) fn pressures(found: &Findings) -> Vec<Block> {
     let row_of = |(place, row): (&[f64], &Vec<Extreme>)| {
         let worst = row.iter().max_by(|a, b| a.value.total_cmp(&b.value)).copied().unwrap_or_default();
         let cells = row.iter().map(|cell| digits(unit.scale * cell.value));
-        let case = if worst.case == 0 { "–".into() } else { worst.case.to_string() };
+        let case = if worst.case == 0 { "–".into() } else { found.case(worst.case) };
         let ends = format!("{} to {}", significant(place[0]), significant(place[1]));
         std::iter::once(ends).chain(cells).chain([case]).collect()
     };

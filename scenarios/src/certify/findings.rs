@@ -9,7 +9,7 @@ use super::choices::Input;
 use super::envelope::{Envelope, Extreme, Reason, reasons};
 use super::quantity::Quantity;
 use super::record::{Ended, Record};
-use super::rule::{Answer, Computed, Evidence, Rule, evidence};
+use super::rule::{Answer, Computed, Evidence, NOT_ANSWERED, Rule, evidence};
 use super::{HashedFile, Plan};
 
 /// What these answers are for, and what they are not.
@@ -30,6 +30,9 @@ pub struct Worst {
     pub extreme: Extreme,
     /// The case in words.
     pub words: String,
+    /// Why the case is doubtful, where it is.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub doubt: Option<String>,
     /// A worse value that a case had before it failed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub before_a_failure: Option<Extreme>,
@@ -107,7 +110,14 @@ impl Findings {
         let cases: BTreeMap<usize, &Case> = plan.cases.iter().map(|case| (case.number, case)).collect();
         let whole = || records.iter().filter(|record| record.ended.is_whole());
         let on_waves = whole().filter(|record| cases.get(&record.case).is_some_and(|case| case.wave_height_m > 0.0));
-        let computed = Computed { landings: whole().count(), on_waves: on_waves.count() };
+        let most =
+            |of: fn(&Case) -> f64| whole().filter_map(|r| cases.get(&r.case)).map(|case| of(case)).fold(0.0, f64::max);
+        let computed = Computed {
+            landings: whole().count(),
+            on_waves: on_waves.count(),
+            sink: most(|case| case.sink_m_per_s),
+            forward: most(|case| case.forward_m_per_s.unwrap_or_default()),
+        };
         let rule = Rule::of(plan.scene.certify.clone().unwrap_or_default().rule);
         let count = |ended: Ended| records.iter().filter(|record| record.ended == ended).count();
         let ends = [&plan.scene.stations[0], &plan.scene.stations[plan.scene.stations.len() - 1]].map(|s| s.x);
@@ -131,13 +141,20 @@ impl Findings {
                 outside: count(Ended::Outside),
             },
             reasons: reasons(records),
-            paragraphs: rule.paragraphs.iter().map(|paragraph| paragraph.answer(&plan.scene, computed)).collect(),
-            worst: worst(&envelope, &cases),
+            paragraphs: rule.answers(&plan.scene, computed),
+            worst: worst(&envelope, &cases, records),
             lost: lost(records),
             places_m: if cells == 0 { Vec::new() } else { (0..=cells).map(place).collect() },
             envelope,
             evidence: evidence(),
         }
+    }
+
+    /// The number of a case, with its doubt.
+    pub fn case(&self, number: usize) -> String {
+        let mut doubtful = self.reasons.iter().filter(|reason| reason.ended == Ended::Doubtful);
+        let is_doubtful = doubtful.any(|reason| reason.cases.contains(&number));
+        if is_doubtful { format!("{number} (doubtful)") } else { number.to_string() }
     }
 
     /// The answer in a few lines.
@@ -151,21 +168,22 @@ impl Findings {
             self.worst.iter().filter(|worst| !worst.name.starts_with("station.") && worst.name != "balance_error");
         lines.extend(loads.map(|worst| {
             let value = report::run_page::quantity::with_unit(worst.extreme.value, worst.unit);
-            format!("  {}: {value} in case {}", worst.title, worst.extreme.case)
+            let doubt = worst.doubt.as_ref().map_or(String::new(), |why| format!(", with a doubt: {why}"));
+            format!("  {}: {value} in case {}{doubt}", worst.title, worst.extreme.case)
         }));
         lines.extend(
             self.reasons
                 .iter()
                 .map(|reason| format!("  {} {}: {}", reason.cases.len(), reason.ended.words(), reason.example)),
         );
-        let open = self.paragraphs.iter().filter(|answer| answer.answer == "not answered");
+        let open = self.paragraphs.iter().filter(|answer| answer.answer == NOT_ANSWERED);
         let open: Vec<&str> = open.map(|answer| answer.paragraph.as_str()).collect();
         lines.push(format!("  not answered: {}", if open.is_empty() { "none".into() } else { open.join(", ") }));
         lines.join("\n")
     }
 }
 
-fn worst(envelope: &Envelope, cases: &BTreeMap<usize, &Case>) -> Vec<Worst> {
+fn worst(envelope: &Envelope, cases: &BTreeMap<usize, &Case>, records: &[Record]) -> Vec<Worst> {
     let names =
         envelope.numbers.keys().chain(envelope.of_failed.keys().filter(|name| !envelope.numbers.contains_key(*name)));
     let of = |name: &String| {
@@ -173,7 +191,9 @@ fn worst(envelope: &Envelope, cases: &BTreeMap<usize, &Case>) -> Vec<Worst> {
         let before_a_failure = envelope.of_failed.get(name).copied();
         let extreme = envelope.numbers.get(name).copied().or(before_a_failure).unwrap_or_default();
         let words = cases.get(&extreme.case).map_or(String::new(), |case| case.words());
-        Worst { name: name.clone(), title, unit, extreme, words, before_a_failure }
+        let doubtful = records.iter().find(|r| r.case == extreme.case && r.ended == Ended::Doubtful);
+        let doubt = doubtful.map(|record| record.message.clone().unwrap_or_default());
+        Worst { name: name.clone(), title, unit, extreme, words, doubt, before_a_failure }
     };
     let mut worst: Vec<Worst> = names.map(of).collect();
     worst.sort_by_cached_key(|worst| Quantity::of(&worst.name).rank);

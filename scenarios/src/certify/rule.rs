@@ -3,6 +3,7 @@
 use std::sync::LazyLock;
 
 use serde::{Deserialize, Serialize};
+use settings::significant;
 use water_entry::EntryModel;
 use water_entry::rules::{FOOT, KNOT};
 
@@ -94,6 +95,9 @@ pub struct Answer {
     pub not_given: String,
 }
 
+/// The answer to a paragraph that has none.
+pub const NOT_ANSWERED: &str = "not answered";
+
 /// What there is to answer with.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Computed {
@@ -101,11 +105,18 @@ pub struct Computed {
     pub landings: usize,
     /// Number of them on waves.
     pub on_waves: usize,
+    /// Largest speed downwards of them [m/s].
+    pub sink: f64,
+    /// Largest forward speed of them [m/s].
+    pub forward: f64,
 }
+
+/// Relative distance below a stated speed that still counts as reached [-].
+const REACHED: f64 = 1e-3;
 
 impl Paragraph {
     /// The answer by what was computed for a scene.
-    pub fn answer(&self, scene: &Scene, computed: Computed) -> Answer {
+    fn answer(&self, scene: &Scene, computed: Computed) -> Answer {
         let missing = match self.needs {
             Needs::Nothing => Some("no computation of this program answers it"),
             _ if computed.landings == 0 => Some("no landing of the list completed"),
@@ -122,13 +133,41 @@ impl Paragraph {
         };
         let (answer, gives, not_given) = match missing {
             None => ("answered in part", self.gives.clone(), self.open.clone()),
-            Some(why) => ("not answered", String::new(), format!("{}: {why}.", self.open.trim_end_matches('.'))),
+            Some(why) => (NOT_ANSWERED, String::new(), format!("{}: {why}.", self.open.trim_end_matches('.'))),
         };
         Answer { paragraph: self.id.clone(), asks: self.asks.clone(), answer, gives, not_given }
     }
 }
 
 impl Rule {
+    /// The answers to its paragraphs by what was computed for a scene. Speeds that it states and no landing had are not answered.
+    pub fn answers(&self, scene: &Scene, computed: Computed) -> Vec<Answer> {
+        let states =
+            |stated: Option<&String>, answer: &Answer| stated == Some(&answer.paragraph) && computed.landings > 0;
+        let least_sink = self.sink.iter().flat_map(Sinks::speeds).fold(f64::INFINITY, f64::min);
+        let most_forward = self.forward.iter().flat_map(Forwards::speeds).fold(0.0, f64::max);
+        let short = |own: f64, stated: f64| own < (1.0 - REACHED) * stated;
+        let with_speeds = |mut answer: Answer| {
+            if states(self.sink.as_ref().map(|of| &of.paragraph), &answer) && short(computed.sink, least_sink) {
+                let [own, stated] = [computed.sink, least_sink].map(significant);
+                let why = format!(
+                    "No landing that completed has the {stated} m/s downwards that it states: {own} m/s at most."
+                );
+                answer.not_given = format!("{why} {}", answer.not_given);
+                (answer.answer, answer.gives) = (NOT_ANSWERED, String::new());
+            }
+            if states(self.forward.as_ref().map(|of| &of.paragraph), &answer) && short(computed.forward, most_forward) {
+                let [own, stated] = [computed.forward, most_forward].map(significant);
+                let why = format!(
+                    "Forward speeds to the {stated} m/s that it states: landings that completed have {own} m/s at most."
+                );
+                answer.not_given = format!("{why} {}", answer.not_given);
+            }
+            answer
+        };
+        self.paragraphs.iter().map(|paragraph| with_speeds(paragraph.answer(scene, computed))).collect()
+    }
+
     /// The rule of a key.
     pub fn of(key: RuleKey) -> &'static Rule {
         static RULES: LazyLock<[Rule; 3]> = LazyLock::new(|| {
@@ -204,13 +243,25 @@ mod tests {
     fn an_answer_needs_what_was_computed() -> Result<(), scene::SceneError> {
         let scene = crate::ditching::load("mercure", &[])?;
         let answers = |computed: Computed| {
-            let paragraphs = &Rule::of(RuleKey::Aeroplane).paragraphs;
-            paragraphs.iter().map(|p| p.answer(&scene, computed).answer).collect::<Vec<_>>()
+            let answers = Rule::of(RuleKey::Aeroplane).answers(&scene, computed);
+            answers.iter().map(|answer| answer.answer).collect::<Vec<_>>()
         };
         let not = "not answered";
         let in_part = "answered in part";
         assert_eq!(answers(Computed::default()), [not; 6]);
-        assert_eq!(answers(Computed { landings: 1, on_waves: 0 }), [not, in_part, in_part, not, not, not]);
+        let one = Computed { landings: 1, ..Computed::default() };
+        assert_eq!(answers(one), [not, in_part, in_part, not, not, not]);
+
+        // the sink speed that the rule states, and its forward speeds
+        let of_sink = |sink: f64, forward: f64| {
+            let computed = Computed { landings: 9, on_waves: 9, sink, forward };
+            Rule::of(RuleKey::Rotorcraft).answers(&scene, computed).swap_remove(0)
+        };
+        let [slow, fast] = [of_sink(1.5, 30.0), of_sink(1.524, 10.0)];
+        assert_eq!((slow.answer, slow.gives.as_str()), (not, ""));
+        assert!(slow.not_given.contains("1.524 m/s downwards that it states: 1.5 m/s at most"), "{}", slow.not_given);
+        assert_eq!(fast.answer, in_part);
+        assert!(fast.not_given.contains("Forward speeds to the 15.43 m/s"), "{}", fast.not_given);
         Ok(())
     }
 

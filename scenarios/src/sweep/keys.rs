@@ -108,12 +108,22 @@ pub(super) fn with_paths(source: &Source, table: &Table) -> Result<Value, Proble
                 let sentence = format!("`{key}` stands twice: expected one place for each key");
                 return Err(refused(&format!("{place}.{key}"), &sentence));
             }
+            let form = key.rsplit('.').next().filter(|name| DISTRIBUTIONS.contains(name) && place != "set");
+            if let (Some(form), true) = (form, value.is_array()) {
+                let sentence = format!(
+                    "`{form}` is a distribution: expected values or a range; distributions stand in [inputs] of a file of `splashdown scatter`"
+                );
+                return Err(refused(&format!("{place}.{key}"), &sentence));
+            }
             known.push(key.clone());
             keys.insert(key, value);
         }
     }
     Ok(given)
 }
+
+/// Names of distributions, which sweeps do not have.
+const DISTRIBUTIONS: [&str; 4] = ["normal", "uniform", "weibull", "table"];
 
 /// The values of a table and of the tables in it, each table where it first stands; a table with ends is a range.
 fn leaves(path: &str, table: Free, is_set: bool, start: &dyn Fn(&str) -> usize, found: &mut Vec<(String, Value)>) {

@@ -249,8 +249,8 @@ fn with_panels(mut results: Results, scene: &Scene, theory: &Theory) -> (Results
     let end = AT_END * theory.instants.last().map_or(f64::INFINITY, |now| now.time);
     let why = "the largest stress comes at the end of the run and may go on growing: a later time.end would show it";
     doubts.extend(unresolved(&mut results, |quantity| quantity.time_s.is_some_and(|time| time >= end), why));
-    let last = scene.body.as_ref().and_then(|body| Some((body, *theory.motions(body).last()?)));
-    doubts.extend(last.and_then(|(body, now)| results.not_passed(&body.panels_not_passed(&now))));
+    let last = scene.body.as_ref().and_then(|body| theory.motions(body).last().copied());
+    doubts.extend(last.and_then(|now| results.not_passed(&scene.panels_not_passed(&now))));
     (results, doubts)
 }
 

@@ -86,10 +86,8 @@ impl ResultsObserver {
         if enters && scene.body.as_ref().is_some_and(scene::Body::is_free) {
             doubts.extend(results.still_growing([scene.time.start, system.fluid.time()]));
         }
-        if enters {
-            let own = scene.body.as_ref().zip(system.bodies().find_map(|body| body.motion()));
-            doubts.extend(own.and_then(|(body, now)| results.not_passed(&body.panels_not_passed(&now))));
-        }
+        let now = system.bodies().find_map(|body| body.motion()).filter(|_| enters);
+        doubts.extend(now.and_then(|now| results.not_passed(&scene.panels_not_passed(&now))));
         // a mean reaches forward by its time
         doubts.extend(touch(system).and_then(|(time, why)| results.unresolve(time - judge.of_force.time, &why)));
         (results, doubts)

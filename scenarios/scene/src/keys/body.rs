@@ -233,17 +233,23 @@ pub fn panel_line(body: &Body, panel: &Panel) -> Vec<[f64; 2]> {
 
 /// Height of a wedge that is wet, over its draught: the water piles up beside it (Wagner 1932).
 const WET_HEIGHT: f64 = std::f64::consts::FRAC_PI_2;
+/// Share of a panel over which the water has come when its stress is largest [-].
+const MOST: f64 = 0.8;
 
 impl Body {
-    /// Names of the panels to whose far ends the water has not come, while the body still moves down.
-    pub fn panels_not_passed(&self, now: &fsi_coupling::Motion) -> Vec<String> {
-        let highest = |line: Vec<[f64; 2]>, sign: f64| {
+    /// Names of the panels over most of which the water has not come.
+    pub(crate) fn panels_not_passed(&self, now: &fsi_coupling::Motion) -> Vec<String> {
+        let ends = |line: Vec<[f64; 2]>| {
             let placed = placed(line, now.position, now.angle.to_degrees());
-            placed.iter().map(|at| sign * at[1]).fold(f64::NEG_INFINITY, f64::max)
+            let [low, high] = polygon::bounding_box(&placed);
+            [low[1], high[1]]
         };
-        let draught = highest(self.shape.outline(), -1.0);
-        let is_passed = |panel: &Panel| highest(panel_line(self, panel), 1.0) <= (WET_HEIGHT - 1.0) * draught;
-        let beyond = self.panels.iter().filter(|panel| now.velocity[1] < 0.0 && draught > 0.0 && !is_passed(panel));
+        let draught = -ends(self.shape.outline())[0];
+        let is_passed = |panel: &Panel| {
+            let [low, high] = ends(panel_line(self, panel));
+            low + MOST * (high - low) <= (WET_HEIGHT - 1.0) * draught
+        };
+        let beyond = self.panels.iter().filter(|panel| draught > 0.0 && !is_passed(panel));
         beyond.map(|panel| panel.name.clone()).collect()
     }
 

@@ -28,14 +28,14 @@ impl Results {
         (!about.is_empty()).then(|| Doubt { about, why: why.into() })
     }
 
-    /// Stresses of panels whose far end the water has not reached by the end of the run are not resolved.
+    /// Stresses of panels over most of which the water has not come by the end of the run are not resolved.
     pub fn not_passed(&mut self, panels: &[String]) -> Option<Doubt> {
         let mut about = Vec::new();
         for (panel, of_panel) in self.panels.iter_mut().filter(|(name, _)| panels.contains(name)) {
             of_panel.values_mut().for_each(|quantity| *quantity = quantity.doubted());
             about.push(panel.clone());
         }
-        let why = "the water has not come to the panel's far end by the end of the run: its stress may go on growing, which a later time.end would show";
+        let why = "the water has not come over most of the panel by the end of the run: the stress may go on growing, which a later time.end would show";
         (!about.is_empty()).then(|| Doubt { about, why: why.into() })
     }
 
