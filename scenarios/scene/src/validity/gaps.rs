@@ -42,9 +42,7 @@ impl Gap<'_> {
                 "between {body} and {beside} are {across} spacings: {measured}; {} m would do for resolution.spacing",
                 significant(width / LEAST)
             ),
-            false => format!(
-                "between {body} and {beside} are {across} spacings: {measured}; no water presses on what touches"
-            ),
+            false => format!("{body} and {beside} touch, or nearly: {measured}; no water presses on what touches"),
         }
     }
 }
