@@ -37,6 +37,9 @@ impl EntryModel {
         let is_wedge = section.deadrise_deg().is_some();
         match self {
             _ if !self.is_theory() => None,
+            _ if self != EntryModel::BoundaryElement && section.beyond().is_some() => {
+                Some((section.beyond().unwrap_or_default(), "outlines that reach no farther out than their bottom".into()))
+            }
             EntryModel::BoundaryElement if section.is_round() => {
                 let end = section.last_angle_deg();
                 let (least, what) = match section.radius() {

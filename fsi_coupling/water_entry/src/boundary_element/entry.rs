@@ -144,7 +144,8 @@ impl FlowEntry<'_> {
             [time, speed] = until_the_flow(begin, before.grading(), [in_air, at_contact], forces, rate, keep);
             flow = flow.at_speed(speed);
         }
-        steps.extend(self.followed(flow, &before, time, end, STOPPED * at_contact));
+        let (more, is_wet_again) = self.followed(flow, &before, time, end, STOPPED * at_contact);
+        steps.extend(more);
         if steps.len() < 2 {
             return Err(OutOfRange {
                 what: format!("one whose flow breaks up at once, at a draught of {begin:.4} m"),
@@ -173,6 +174,7 @@ impl FlowEntry<'_> {
         }
         let (why, breaks_up) = match now {
             _ if now.draught > self.deepest() => ("one deeper than its breadth", false),
+            _ if is_wet_again => ("one whose water reaches a side or an outer part of the body", false),
             _ if now.speed < NEARLY_STOPPED * at_contact => ("one that leaves the water", false),
             _ => ("one whose flow breaks up", true),
         };
@@ -221,10 +223,18 @@ impl FlowEntry<'_> {
         rate(&self.motion, time, self.gravity, self.density, forces)
     }
 
-    /// The steps of the flow from `time` to `end` [s].
-    fn followed(&self, mut flow: EntryFlow, before: &Before, mut time: f64, end: f64, stopped: f64) -> Vec<Step> {
+    /// The steps of the flow from `time` to `end` [s], and whether water came to a side or an outer part of the body before.
+    fn followed(
+        &self,
+        mut flow: EntryFlow,
+        before: &Before,
+        mut time: f64,
+        end: f64,
+        stopped: f64,
+    ) -> (Vec<Step>, bool) {
         let mut steps = Vec::new();
-        loop {
+        let mut is_wet_again = false;
+        while !is_wet_again {
             let (draught, speed, width) = (flow.draught(), flow.speed(), flow.half_width());
             let rate = |load: &FlowLoad| self.rate(time, before.forces_instead_of(load, draught, speed));
             let Ok((dt, load)) = flow.step(rate) else { break };
@@ -233,20 +243,24 @@ impl FlowEntry<'_> {
             let rate = self.rate(time, [load.force, load.added_mass]);
             steps.push(self.step_of([time, draught, speed, rate], &load, [face, width]));
             let over = EntryModel::BoundaryElement.covers(self.section, width).is_err();
-            if time >= end || speed < stopped || draught > self.deepest() || over || self.is_wet_again(&flow) {
+            if time >= end || speed < stopped || draught > self.deepest() || over {
                 break;
             }
+            is_wet_again = self.is_wet_again(&flow);
             time += dt;
             if let SectionMotion::Given(way) = &self.motion {
                 let [draught, speed, _] = way.at(time);
                 flow.place(draught, speed);
             }
         }
-        steps
+        (steps, is_wet_again)
     }
 
-    /// Has water come into a side beyond the place where the flow leaves the bottom?
+    /// Has water come into a side beyond the place where the flow leaves the bottom, or into what reaches farther out?
     fn is_wet_again(&self, flow: &EntryFlow) -> bool {
+        if flow.surface().into_iter().any(|[x, y]| self.section.is_beyond([x, y + flow.draught()])) {
+            return true;
+        }
         let [inner, outer] = [self.section.followed_half_breadth(), self.section.half_breadth()];
         let depth = |[x, y]: [f64; 2]| y + flow.draught() - self.section.height(x);
         let past_bottom = |x: f64| inner < x && x < outer;

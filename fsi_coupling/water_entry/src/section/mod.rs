@@ -42,6 +42,8 @@ pub struct Section {
     hollow: Option<[f64; 2]>,
     /// Do the corners next to the keel stand for a round one?
     round_keel: bool,
+    /// The outline, from the keel, of a body that reaches farther out than the bottom [m], shape (n, 2); empty of another.
+    outline: Vec<[f64; 2]>,
 }
 
 impl Section {
@@ -72,6 +74,7 @@ impl Section {
             curve: None,
             hollow: None,
             round_keel: false,
+            outline: Vec::new(),
         })
     }
 
@@ -93,8 +96,7 @@ impl Section {
     /// The bottom of an upright body whose outline has these corners [m], in order around it.
     ///
     /// # Errors
-    /// A flat bottom, one that is lopsided about its keel, one that is less steep than 4 degrees; a bottom beyond which the outline reaches farther out,
-    /// as with steps or side hulls.
+    /// A flat bottom, one that is lopsided about its keel, one that is less steep than 4 degrees.
     pub fn of_polygon(points: &[[f64; 2]]) -> Result<Section, OutOfRange> {
         let n = points.len();
         let lowest = points.iter().map(|p| p[1]).fold(f64::INFINITY, f64::min);
@@ -127,19 +129,40 @@ impl Section {
         }
         let section = Section::new(&right)?;
         let half_breadth = section.half_breadth();
-        let height = lowest_beyond(points, x0, half_breadth * (1.0 + FLARE)) - lowest;
-        if height < DRY * 2.0 * half_breadth {
-            return Err(OutOfRange::not_a_section(&format!(
-                "an outline that turns back or up {half_breadth} m from its keel, and reaches farther out from {height:.4} m above it on"
-            )));
-        }
-        match section.circle() {
+        let reaches_out = lowest_beyond(points, x0, half_breadth * (1.0 + FLARE)) - lowest < DRY * 2.0 * half_breadth;
+        let outline =
+            reaches_out.then(|| points.iter().map(|[x, y]| [x - x0, y - lowest]).collect()).unwrap_or_default();
+        let section = match section.circle() {
             Some(radius) => Section::arc(radius, 2.0 * section.half_breadth()),
             None if section.flat_keel().is_some() && section.slopes.len() == 1 => {
                 Err(OutOfRange::not_a_section("a flat bottom"))
             }
             None => section.steep_enough(),
+        };
+        Ok(Section { outline, ..section? })
+    }
+
+    /// What a theory without a free surface cannot follow: an outline that reaches farther out than the bottom, as with steps or side hulls.
+    pub(super) fn beyond(&self) -> Option<String> {
+        let half_breadth = self.half_breadth();
+        let height = lowest_beyond(&self.outline, 0.0, half_breadth * (1.0 + FLARE));
+        height.is_finite().then(|| {
+            format!("an outline that turns back or up {half_breadth} m from its keel, and reaches farther out from {height:.4} m above it on")
+        })
+    }
+
+    /// Is a place, outwards and upwards from the keel [m], inside the part of the outline beyond the bottom?
+    pub(super) fn is_beyond(&self, [x, y]: [f64; 2]) -> bool {
+        if x <= self.half_breadth() * (1.0 + FLARE) {
+            return false;
         }
+        let next = self.outline.iter().cycle().skip(1);
+        let crossed = self
+            .outline
+            .iter()
+            .zip(next)
+            .filter(|(a, b)| (a[1] > y) != (b[1] > y) && x < a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0]));
+        crossed.count() % 2 == 1
     }
 
     /// Radius [m] of the circle with a level keel on which all corners lie.
@@ -158,7 +181,8 @@ impl Section {
     pub fn convex(&self) -> Section {
         let corners = hull_of(&self.corners);
         let (slopes, areas) = (slopes_of(&corners), areas_of(&corners));
-        Section { slopes, areas, corners, radius: self.radius, curve: None, hollow: None, round_keel: self.is_round() }
+        let (radius, round_keel, outline) = (self.radius, self.is_round(), self.outline.clone());
+        Section { slopes, areas, corners, radius, curve: None, hollow: None, round_keel, outline }
     }
 
     /// The same with corners next to the keel that stand for a round one: a section between two, one of them with such a keel.
@@ -224,7 +248,16 @@ impl Section {
         let corners = std::iter::once(touched).chain(beyond.copied()).map(|[x, y]| [x, y - lowest]);
         let corners: Vec<[f64; 2]> = std::iter::once([0.0, 0.0]).chain(corners).collect();
         let (slopes, areas) = (slopes_of(&corners), areas_of(&corners));
-        Section { corners, slopes, areas, radius: None, curve: None, hollow: None, round_keel: false }
+        Section {
+            corners,
+            slopes,
+            areas,
+            radius: None,
+            curve: None,
+            hollow: None,
+            round_keel: false,
+            outline: Vec::new(),
+        }
     }
 
     /// The curve for which corners stand, with its straight faces and knuckles; `None` of a bottom of straight faces, and of an arc.

@@ -28,9 +28,9 @@ fn corners_on_straight_lines_are_none() {
     assert_eq!(Section::new(&bent), Section::new(&[bent[0], bent[2], bent[4]]));
 }
 
-/// What lies beyond the place where an outline first turns back was left out in silence: side hulls, the outer part beyond a step.
+/// What lies beyond the place where an outline first turns back is no part of the bottom: side hulls, the outer part beyond a step. Formulas refuse it.
 #[test]
-fn an_outline_that_reaches_farther_out_than_its_bottom_is_refused() {
+fn an_outline_that_reaches_farther_out_than_its_bottom_is_for_flows_that_are_followed() {
     let whole = |half: &[[f64; 2]]| -> Vec<[f64; 2]> {
         half.iter().copied().chain(half.iter().rev().filter(|p| p[0] > 0.0).map(|[x, y]| [-x, *y])).collect()
     };
@@ -38,8 +38,10 @@ fn an_outline_that_reaches_farther_out_than_its_bottom_is_refused() {
     let step = whole(&[[0.0, 0.0], [0.5, 0.15], [0.5, 0.25], [1.0, 0.4], [1.0, 0.8]]);
     let flared = whole(&[[0.0, 0.0], [0.6, 0.4], [0.6, 0.1], [1.0, 2.0]]);
     for points in [side_hull, step, flared] {
-        let error = Section::of_polygon(&points).expect_err("more than a bottom").to_string();
-        assert!(error.contains("reaches farther out") && error.contains("\"wcsph\""), "{error}");
+        let section = Section::of_polygon(&points).expect("a section");
+        assert!(section.is_beyond([0.95, 0.5]) && !section.is_beyond([1.05, 0.5]) && !section.is_beyond([0.55, 0.45]));
+        let error = EntryModel::Mlm.covers(&section, 0.0).expect_err("more than a bottom").to_string();
+        assert!(error.contains("reaches farther out"), "{error}");
     }
     let high_deck = whole(&[[0.0, 0.0], [0.5, 0.15], [0.5, 1.2], [0.8, 1.2]]);
     assert!(Section::of_polygon(&high_deck).is_ok());
