@@ -2,18 +2,19 @@
 const MODELS = ["von_karman", "wagner", "mlm", "similarity", "boundary_element"];
 const HUES = Object.fromEntries(MODELS.map((model, k) => [model, `var(--c${k})`]));
 const answers = {
-  all: new Map(), hidden: new Set(), wanted: null,
+  all: new Map(), hidden: new Set(), wanted: null, quoted: null, tallest: 0,
 
   /** Ask for the answers to a text; what is still computed for an earlier one is no longer wanted. */
   async ask(text) {
     this.wanted?.abort();
     const wanted = (this.wanted = new AbortController()), start = performance.now();
     this.flowing = true;
+    for (const model of MODELS) if (this.all.has(model)) this.all.get(model).old = true;
+    // what is late is seen to be old
+    const late = setTimeout(() => this.show(), 150);
     try {
       const formulas = await ask("/api/theories", { text }, wanted.signal);
       for (const answer of formulas) this.all.set(answer.model, answer);
-      const flow = this.all.get("boundary_element");
-      if (flow) flow.old = true;
       $("took").textContent = `theories in ${Math.round(performance.now() - start)} ms`;
       this.show();
       const answer = await ask("/api/flow", { text, page: pageId }, wanted.signal);
@@ -22,8 +23,10 @@ const answers = {
       this.all.set("boundary_element", answer);
       this.show();
     } catch (error) {
-      if (error.name !== "AbortError") $("took").textContent = error.message;
-    }
+      if (error.name === "AbortError") return;
+      this.flowing = false;
+      notice(`The scene was not computed: ${error.message}.`);
+    } finally { clearTimeout(late); }
   },
 
   forget(key) { if (this.all.delete(key)) this.show(); },
@@ -64,16 +67,23 @@ const answers = {
   },
 
   quote(answer) {
-    const box = $("quote"), quote = answer?.quote;
-    $("number").classList.toggle("old", Boolean(scene.error));
-    box.className = `quote ${!quote ? "" : scene.error ? "care" : { resolved: quote.share > 0.3 ? "care" : "good", no_band: "care" }[quote.verdict] || "bad"}`;
-    const wrong = scene.error ? "The scene has a mistake: see Keys. The number is that of the last scene without one." : "";
-    const doubts = (answer?.doubts || []).map((text) => `Doubt: ${text}`);
+    // while nothing holds for the present scene, the number before is shown as old
+    const old = !answer && this.flowing && this.quoted, box = $("quote"), quote = (answer = this.quoted = answer || old || null)?.quote;
+    const wrong = scene.lost ? "The studio does not answer: what is shown is of the last scene that it computed. Start it again where it has ended."
+      : scene.error ? `The scene has a mistake: ${scene.error.message}. The number is that of the last scene without one.` : scene.implausible ? `Check the scene first: ${scene.implausible}.` : scene.notice;
+    $("number").classList.toggle("old", Boolean(scene.lost || scene.error || old));
+    box.className = `quote ${scene.lost ? "bad" : wrong ? "care" : !quote || old ? "" : { resolved: quote.share > 0.3 ? "care" : "good", no_band: "care" }[quote.verdict] || "bad"}`;
+    const doubts = (answer?.doubts || []).map((text) => `Doubt: ${fields.words(text)}`), warnings = (scene.warnings || []).filter((text) => text !== scene.implausible);
     const put = (id, text) => { if ($(id).textContent !== text) $(id).textContent = text; };
     put("number", quote ? quote.number : "–");
-    put("by", quote ? `${quote.by}${this.flowing ? "; boundary elements are being computed" : ""}` : this.flowing ? "being computed" : [...this.all.values()].some((own) => own.ok && !own.old) ? "No model has a peak force that can be quoted here: see the curves, or run it by particles." : "No theory follows this scene: run it by particles.");
-    put("verdict", wrong || quote?.verdict_in_words || "");
+    put("by", old ? "of the scene before; being computed" : quote ? `${quote.by}${this.flowing ? "; boundary elements are being computed" : ""}` : this.flowing ? "being computed" : [...this.all.values()].some((own) => own.ok && !own.old) ? "No model has a peak force that can be quoted here: see the curves, or run it by particles." : "No theory follows this scene: run it by particles.");
+    put("verdict", wrong ? fields.words(wrong) : (!old && quote?.verdict_in_words) || "");
+    $("warnings").replaceChildren(...warnings.map((text) => make("li", {}, fields.words(text))));
     $("others").replaceChildren(...[...(quote?.others || []), ...doubts].map((text) => make("li", {}, text)));
+    // what is below stays in its place
+    box.style.minHeight = "";
+    this.tallest = Math.max(this.tallest, box.offsetHeight);
+    box.style.minHeight = `${this.tallest}px`;
   },
 
   table(best) {
@@ -81,13 +91,14 @@ const answers = {
       const found = answer.results.find((result) => result.name === name);
       return make("td", { class: "value" }, found ? found.text : "–", found && found.verdict !== "resolved" ? make("small", {}, ` ${found.verdict_words}`) : "");
     };
-    const row = (key, title, ...cells) => make("tr", { class: key === best ? "best" : "" }, make("th", { scope: "row" }, title), ...cells);
+    const row = (key, title, ...cells) => make("tr", { class: this.all.get(key)?.old ? "old" : key === best ? "best" : "" }, make("th", { scope: "row" }, title), ...cells);
     const rows = [...this.all].filter(([, answer]) => answer.ok).map(([key, answer]) =>
-      row(key, key.startsWith("run ") ? `${key}, ${answer.title}` : answer.title, cell(answer, "peak_force_N_per_m"), cell(answer, "peak_acceleration_g")));
-    const silent = Map.groupBy([...this.all.values()].filter((answer) => !answer.ok), (answer) => answer.why);
+      row(key, (key.startsWith("run ") ? `${key}, ${answer.title}` : answer.title) + (answer.old ? ": being computed" : ""), cell(answer, "peak_force_N_per_m"), cell(answer, "peak_acceleration_g")));
+    const silent = Map.groupBy([...this.all.values()].filter((answer) => !answer.ok), (answer) => (answer.old ? "being computed" : fields.words(answer.why)));
     for (const [why, models] of silent) rows.push(row(null, models.map((answer) => answer.title).join(", "), make("td", { colspan: 2 }, make("small", {}, why))));
     const head = make("tr", {}, ...["Model", "Peak force", "Peak acceleration"].map((title) => make("th", { scope: "col" }, title)));
     $("models").replaceChildren(make("thead", {}, head), make("tbody", {}, ...rows));
+    markWide($("models").parentNode);
   },
 };
 

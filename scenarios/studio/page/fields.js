@@ -6,6 +6,15 @@ const fields = {
 
   /** The keyword of a key: gauges[0].at is described by gauges[].at. */
   word(key) { return this.keywords.get(key.replace(/\[\d+\]/g, "[]")) || this.keywords.get(key.replace(/\[\d+\]$/, "").replace(/\[\d+\]/g, "[]")); },
+  /** A key in the words of the fields: mass, velocity y, gauges[0] at x. */
+  title(key) {
+    const [, path, k] = key.match(/^(.*)\[(\d+)\]$/) || [], item = path && this.keywords.has(path.replace(/\[\d+\]/g, "[]")), own = item ? path : key, group = this.group(own);
+    return `${["scene", "body"].includes(group) ? "" : `${group} `}${own.slice(own.lastIndexOf(".") + 1)}${item ? ` ${"xyz"[k] ?? +k + 1}` : ""}`;
+  },
+  /** A message in these words. */
+  words(text) {
+    return text.replace(/\b[a-z_]+(\[\d*\])?(\.[a-z_]+(\[\d*\])*)+/g, (key) => (this.word(key) ? this.title(key) : key)).replace(/`([^`]*)`/g, "$1").replace(/\bwcsph\b/g, TITLES.wcsph);
+  },
   /** The table of a key: body.panels[0] of body.panels[0].name. */
   group(key) { return key.includes(".") ? key.slice(0, key.lastIndexOf(".")) : "scene"; },
 
@@ -25,9 +34,7 @@ const fields = {
     if (order !== this.order) this.arrange(groups);
     this.order = order;
     for (const [key, field] of this.shown) field.update(this.written[key], key === at ? error : null);
-    const placed = at && this.shown.has(at);
-    $("scene_error").textContent = !error ? "" : placed ? `${this.shown.get(at).name}: see the message there.` : `${error.line ? `Line ${error.line}: ` : ""}${error.message}`;
-    $("warnings").replaceChildren(...(view.warnings || []).map((text) => make("li", {}, text)));
+    complain($("text"), "text_error", error ? `${error.line ? `Line ${error.line}: ` : ""}${error.message}` : "");
   },
 
   /** Lay out the groups; a field that stays is kept with its focus. */
@@ -97,9 +104,9 @@ const fields = {
     const word = this.word(key) || { key, unit: "", default: "", doc: "", takes: "" };
     const name = key.slice(key.lastIndexOf(".") + 1), id = `f_${key.replace(/\W+/g, "_")}`;
     const inputs = make("div", { class: "inputs" }), error = make("div", { class: "error", role: "alert", id: `${id}_error` });
-    const help = make("div", { class: "help hint", id: `${id}_help` }, `${word.doc}${word.doc ? "; " : ""}${word.takes}${word.default ? ` (default: ${word.default})` : ""}`);
+    const help = make("div", { hidden: true, id: `${id}_help` }, `${word.doc}${word.doc ? "; " : ""}${word.takes}${word.default ? ` (default: ${word.default})` : ""}`);
     const node = make("div", { class: "field", "data-key": key, "data-words": `${key} ${word.doc}`.toLowerCase() }, make("label", { for: `${id}_0` }, name, word.unit && word.unit !== "-" ? make("small", {}, ` [${word.unit}]`) : ""), inputs, help, error);
-    const set = (value) => change([{ key, value: String(value).trim() === "" ? null : value }]);
+    const set = (value) => (key === "body.points" ? section.take(value) : change([{ key, value: String(value).trim() === "" ? null : value }]));
     const field = { node, name, kind: null, usable: !absent };
     const described = { "aria-describedby": `${id}_error ${id}_help` };
 
@@ -110,23 +117,25 @@ const fields = {
       if (field.kind === "choice") {
         const select = make("select", { id: `${id}_0`, ...described, onchange: () => set(select.value) });
         if (absent) select.append(make("option", { value: "" }, `default: ${word.default}`));
-        for (const choice of choices.includes(text) || absent ? choices : [text, ...choices]) select.append(make("option", {}, choice));
+        for (const choice of choices.includes(text) || absent ? choices : [text, ...choices]) select.append(make("option", { value: choice }, (key === "model" && TITLES[choice]) || choice));
         only(select);
       } else if (field.kind === "long") {
         const area = make("textarea", { id: `${id}_0`, rows: 3, spellcheck: "false", ...described, onchange: () => set(area.value) });
         only(area);
       } else {
         (numbers || [null]).forEach((_, k) => {
-          const label = numbers?.length > 1 ? `${key} ${"xyz"[k] || k + 1}` : null;
+          const label = numbers?.length > 1 ? this.title(`${key}[${k}]`) : null;
           const input = make("input", { type: "text", id: `${id}_${k}`, autocomplete: "off", spellcheck: "false", "aria-label": label, ...described });
-          const all = () => (field.inputs.length > 1 ? `[${field.inputs.map((own) => own.value).join(", ")}]` : input.value);
+          // TOML has no .5, and a part with a unit or a mistake is a string
+          const part = (text) => (NUMBER.test(text.trim()) ? text.replace(/^\s*\+/, "").replace(/^(-?)\./, "$10.").replace(/\.(?!\d)/, "").replace(/^(-?)0+(?=\d)/, "$1") : text.trim() && JSON.stringify(text.trim()));
+          const all = () => (field.inputs.length > 1 ? `[${field.inputs.map((own) => part(own.value)).join(", ")}]` : NUMBER.test(input.value.trim()) ? part(input.value) : input.value);
           let sent = null;
           const give = () => { if (all() !== sent) set((sent = all())); };
           input.addEventListener("input", () => { clearTimeout(input.later); input.later = setTimeout(give, 250); });
           input.addEventListener("change", () => { clearTimeout(input.later); give(); sent = null; });
           const one = make("div", { class: "one" }, numbers?.length > 1 ? make("small", {}, "xyz"[k] || "") : "", input);
           if (numbers) {
-            const slider = make("input", { type: "range", "aria-label": `Slider of ${label || key}`, tabindex: 0, step: "any" });
+            const slider = make("input", { type: "range", "aria-label": `Slider of ${label || this.title(key)}`, tabindex: 0, step: "any" });
             slider.addEventListener("input", () => { input.value = plain(+slider.value); sent = all(); set(sent); });
             slider.addEventListener("change", () => { span(slider, +slider.value); sent = null; });
             slider.addEventListener("keydown", (event) => {
@@ -143,7 +152,7 @@ const fields = {
           field.inputs.push(input);
         });
       }
-      if (!absent && !/^required/.test(word.default)) inputs.append(make("button", { class: "remove", type: "button", title: `Remove ${key}`, "aria-label": `Remove ${key}`, onclick: () => change([{ key, value: null }]) }, "×"));
+      if (!absent && !/^required/.test(word.default)) inputs.append(make("button", { class: "remove", type: "button", title: `Remove ${this.title(key)}`, "aria-label": `Remove ${this.title(key)}`, onclick: () => change([{ key, value: null }]) }, "×"));
     };
 
     /** The range of a slider about a value, within what the key takes. */
@@ -157,23 +166,24 @@ const fields = {
     };
 
     field.update = (value, wrong) => {
-      const text = value ?? "", numbers = numeric(text);
-      const kind = word.takes.includes(" | ") || word.takes === "true or false" ? "choice" : /^\[\s*\[/.test(text) || text.length > 60 ? "long" : numbers ? `numbers${numbers.length}` : "text";
+      const text = value ?? "", own = parts(text), vector = /^\s*\[/.test(text) && /[^-]/.test(word.unit) && own.length > 1 && own.length < 4, numbers = vector ? own : numeric(text);
+      const kind = word.takes.includes(" | ") || word.takes === "true or false" ? "choice" : key === "body.points" || /^\[\s*\[/.test(text) || text.length > 60 ? "long" : numbers ? `numbers${numbers.length}` : "text";
       if (kind !== field.kind && !(field.kind && inputs.contains(document.activeElement))) {
         field.kind = kind;
         node.classList.toggle("pair", /^numbers[23]/.test(kind));
         node.classList.toggle("long", kind === "long" || (kind === "text" && text.length > 14));
         build(text, kind.startsWith("numbers") ? numbers : null);
       }
-      const values = field.kind.startsWith("numbers") && field.inputs.length > 1 ? numbers?.map(String) : [text];
+      const values = field.kind.startsWith("numbers") && field.inputs.length > 1 ? numbers && own : [text];
       field.inputs.forEach((input, k) => {
         const own = values?.[k];
-        if (own !== undefined && input !== document.activeElement && input.value !== own) input.value = own;
+        if (own !== undefined && !wrong?.keep && input !== document.activeElement && input.value !== own) input.value = own;
         if (absent && input.tagName === "INPUT") input.placeholder = fields.resolved[key] || word.default;
-        if (input.slider && numbers?.[k] !== undefined && input.slider !== document.activeElement) span(input.slider, numbers[k]);
+        if (input.slider) input.slider.hidden = !NUMBER.test(numbers?.[k]);
+        if (input.slider && !input.slider.hidden && input.slider !== document.activeElement) span(input.slider, +numbers[k]);
         if (wrong) input.setAttribute("aria-invalid", "true"); else input.removeAttribute("aria-invalid");
       });
-      const message = wrong ? (wrong.expected ? `Expected ${wrong.expected}${wrong.given ? `; given ${wrong.given}` : ""}.` : wrong.message) : "";
+      const message = this.words(wrong ? (wrong.expected ? `Expected ${wrong.expected}${wrong.given ? `; given ${wrong.given}` : ""}.` : wrong.message) : "");
       if (error.textContent !== message) error.textContent = message;
     };
     field.update(absent ? undefined : this.written[key], null);
@@ -181,11 +191,5 @@ const fields = {
   },
 };
 
-/** The numbers of a value that has only such, up to three of them. */
-function numeric(text) {
-  const list = text.trim().match(/^\[([^[\]]*)\]$/), parts = (list ? list[1].replace(/,\s*$/, "").split(",") : [text]).map((part) => part.trim().replace(/_/g, ""));
-  const all = parts.length <= 3 && parts.every((part) => /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(part));
-  return all ? parts.map(Number) : null;
-}
-
 $("find").addEventListener("input", () => fields.filter());
+fields.host.addEventListener("focusin", (event) => { $("help").textContent = fields.words(event.target.closest(".field")?.querySelector("[id$=_help]").textContent ?? ""); });

@@ -12,7 +12,7 @@ const runs = {
         text = (await ask("/api/scene", { text, edits: [...edits, { key: "model", value: model }] })).text;
       }
       const { name, error } = await ask("/api/runs", { text });
-      if (error) { $("run_error").textContent = `${error.key ? `${error.key}: ` : ""}${error.message}`; return; }
+      if (error) { $("run_error").textContent = fields.words(error.message); return; }
       this.texts[name] = scene.text;
       sessionStorage.setItem("runs", JSON.stringify(this.texts));
       this.look();
@@ -32,7 +32,7 @@ const runs = {
       this.list = list;
       await this.match();
     } catch (error) {
-      $("run_error").textContent = `The studio does not answer: ${error.message}`;
+      if (!scene.lost) $("run_error").textContent = error.message;
     }
     this.timer = setTimeout(() => this.look(), busy ? 400 : 4000);
   },
@@ -69,15 +69,14 @@ const runs = {
     if (run.state === "ended") {
       const box = make("input", { type: "checkbox", "aria-label": `Compare ${run.name}`, disabled: !run.has_results, onchange: () => { this.ticked[box.checked ? "add" : "delete"](run.name); $("compare").disabled = this.ticked.size < 2; } });
       box.checked = this.ticked.has(run.name);
-      const peak = run.peak == null || !run.has_results ? "" : `, peak force ${withUnit(run.peak, "N/m")}`;
-      line.append(box, make("b", {}, run.name), make("span", {}, `${run.model}: ${run.words}${peak}`));
+      line.append(box, make("b", {}, run.name), make("span", {}, [`${run.model}: ${run.words}`, run.has_results && run.peak, run.inputs].filter(Boolean).join("; ")));
       if (run.report) line.append(make("button", { onclick: () => this.frame(`Report of ${run.name}`, `/runs/${run.name}/report.html`) }, "Report"));
-      if (run.message) node.append(make("p", { class: "error" }, run.message));
+      if (run.message) node.append(make("p", { class: "error" }, fields.words(run.message)));
       return node;
     }
     const bar = make("progress", { max: 1, "aria-label": `Progress of ${run.name}` }), words = make("span", { class: "hint" });
     const stop = make("button", { onclick: async () => { stop.disabled = true; await ask(`/api/runs/${run.name}/stop`, {}); this.look(); } }, "Stop");
-    line.append(make("b", {}, run.name), make("span", {}, `${run.model}: ${run.words}`), bar, words, stop);
+    line.append(make("b", {}, run.name), make("span", {}, `${run.model}: ${run.words}; ${run.inputs}`), bar, words, stop);
     const picture = make("img", { alt: `Pressure in the water, run ${run.name}`, hidden: true, onload: () => { picture.hidden = false; } });
     node.append(picture);
     node.update = (now) => {

@@ -6,12 +6,11 @@ const section = {
   /** Show the section of a scene. */
   show(shown) {
     this.shown = shown;
-    const body = shown && shown.own ? shown.bodies[0] : null;
-    this.body = body;
-    if (!this.dragging) {
-      this.points = body && ["polygon", "polyline"].includes(body.shape) ? body.points.map((p) => [...p]) : null;
-      if (this.points) $("mirror").disabled = !this.symmetric();
-    }
+    // place and scale stay while a point is dragged
+    if (this.dragging) return;
+    this.body = shown && shown.own ? shown.bodies[0] : null;
+    this.points = this.body && ["polygon", "polyline"].includes(this.body.shape) ? this.body.points.map((p) => [...p]) : null;
+    if (this.points) $("mirror").disabled = !this.symmetric();
     this.draw();
   },
 
@@ -62,7 +61,7 @@ const section = {
       ? "Drag a point, or reach it with Tab and move it with the arrow keys (Shift: ten steps). Insert adds a point after it, Delete removes it. A double click on a side adds one there."
       : this.body ? "The shape follows its keys below. As points it can be drawn freely." : "";
     if (!this.shown) return this.host.replaceChildren();
-    const focused = document.activeElement?.dataset?.point;
+    const focused = document.activeElement?.dataset?.point, shown = this.dragging?.shown || this.shown;
     const frame = this.dragging?.frame || this.frame(), { to, height, scale } = frame;
     this.last = frame;
     const line = (points) => points.map((p) => to(p).map((v) => v.toFixed(2)).join(",")).join(" ");
@@ -70,7 +69,7 @@ const section = {
     const surface = to([0, 0])[1];
     svg.append(make("rect", { class: "water", x: 0, y: surface, width: this.width, height: Math.max(0, height - surface) }));
     svg.append(make("text", { x: 6, y: surface - 5 }, "still water"));
-    this.shown.bodies.forEach((body, k) => {
+    shown.bodies.forEach((body, k) => {
       const moved = k === 0 && this.points && body.shape === "polygon";
       const outline = moved ? this.points.map((p) => this.toTank(p)) : body.outline;
       const shape = make("polygon", { class: "body", points: line(outline) });
@@ -78,7 +77,7 @@ const section = {
       svg.append(shape);
       body.panels.forEach((panel) => svg.append(make("polyline", { class: "panel", points: line(panel.line) }, make("title", {}, `panel ${panel.name}`))));
     });
-    for (const gauge of this.shown.gauges) {
+    for (const gauge of shown.gauges) {
       const [x, y] = to(gauge.at);
       svg.append(make("path", { class: "gauge", d: `M${x - 5},${y}h10M${x},${y - 5}v10` }), make("text", { x: x + 6, y: y + 16 }, gauge.name));
     }
@@ -90,7 +89,7 @@ const section = {
     svg.append(make("path", { class: "gauge", d: `M${this.width - 12 - length},${height - 10}h${length}` }), make("text", { x: this.width - 12 - length, y: height - 15 }, `${digits(bar)} m`));
     (this.points || []).forEach((p, k) => svg.append(this.handle(k, to(this.toTank(p)))));
     this.host.replaceChildren(svg);
-    if (focused !== undefined) svg.querySelector(`[data-point="${focused}"]`)?.focus({ preventScroll: true });
+    if (focused !== undefined) svg.querySelector(`[data-point="${this.chosen}"]`)?.focus({ preventScroll: true });
     this.showPoint();
   },
 
@@ -114,33 +113,36 @@ const section = {
   showPoint() {
     if (!this.points) return;
     this.chosen = Math.min(this.chosen, this.points.length - 1);
-    [["point_x", 0], ["point_y", 1]].forEach(([id, i]) => { if (document.activeElement !== $(id)) $(id).value = plain(this.points[this.chosen][i]); });
+    [["point_x", 0], ["point_y", 1]].forEach(([id, i]) => { if (document.activeElement === $(id)) return; $(id).value = this.points[this.chosen][i]; complain($(id), "point_error", ""); });
   },
 
-  /** Move a point, and its image where it is to follow. */
-  move(k, [x, y]) {
+  /** Move a point, and its image where it is to follow; what is dragged is rounded to a step, what is typed is not. */
+  move(k, at, dragged = true) {
     const step = 10 ** Math.floor(Math.log10(this.size() / 1000));
-    const rounded = [x, y].map((v) => +(Math.round(v / step) * step).toPrecision(8));
+    const [x, y] = at.map((v, i) => (dragged && v !== this.points[k][i] ? +(Math.round(v / step) * step).toPrecision(8) : v));
     const image = this.mirrored() ? this.image(k) : -1;
-    if (image === k) rounded[0] = 0;
-    this.points[k] = rounded;
-    if (image >= 0 && image !== k) this.points[image] = [-rounded[0], rounded[1]];
+    this.points[k] = [image === k ? 0 : x, y];
+    if (image >= 0 && image !== k) this.points[image] = [-x, y];
   },
   grab(event, k) {
     event.preventDefault();
     event.target.focus({ preventScroll: true });
     this.choose(k);
-    const frame = this.last;
-    this.dragging = { k, frame };
+    const frame = this.last, from = this.under(event, frame), [x, y] = this.points[k];
+    this.dragging = { frame, shown: this.shown, gauges: new Set() };
+    $("quote").style.height = `${$("quote").offsetHeight}px`;
     const moved = (now) => {
-      this.move(k, this.under(now, frame));
+      const at = this.under(now, frame);
+      this.move(k, [x + at[0] - from[0], y + at[1] - from[1]]);
       this.changed();
     };
     const listening = new AbortController(), until = { signal: listening.signal };
     const ended = () => {
       listening.abort();
       this.dragging = null;
-      this.draw();
+      $("quote").style.height = "";
+      // what the server says of the last place follows
+      if (scene.busy || scene.error) this.draw(); else this.show(this.shown);
     };
     window.addEventListener("pointermove", moved, until);
     for (const name of ["pointerup", "pointercancel"]) window.addEventListener(name, ended, until);
@@ -192,16 +194,19 @@ const section = {
     this.changedCount();
   },
 
-  /** Hand the points to the scene. */
-  commit(more = []) {
-    const pairs = this.points.map(([x, y]) => `[${plain(x)}, ${plain(y)}]`);
-    const lines = [];
+  /** Hand the points to the scene, as written where they were; the gauges that were moved are named. */
+  commit(more = [], written = null, note = "") {
+    const pairs = this.points.map(([x, y]) => `[${x}, ${y}]`), lines = [], gauges = this.gauges(), names = this.dragging?.gauges ?? new Set();
     for (let k = 0; k < pairs.length; k += 6) lines.push(`    ${pairs.slice(k, k + 6).join(", ")},`);
+    for (const { key } of gauges) names.add(scene.written[key.replace(/at$/, "name")] || key);
+    if (names.size) note += ` The outline moved: gauge ${[...names].join(", ")} was moved to the nearest place on it.`;
+    this.value = written ?? `[\n${lines.join("\n")}\n]`;
     const files = ["outline", "outline_unit", "outline_layer"].filter((key) => `body.${key}` in scene.written);
-    change([...more, ...this.gauges(), ...files.map((key) => ({ key: `body.${key}`, value: null })), { key: "body.points", value: `[\n${lines.join("\n")}\n]` }]);
+    change([...more, ...gauges, ...files.map((key) => ({ key: `body.${key}`, value: null })), { key: "body.points", value: this.value }], note);
   },
   /** Gauges on the body follow its outline: each goes to the nearest place on it. */
   gauges() {
+    if (scene.written["body.shape"] === "polyline") return [];
     return Object.keys(scene.written).filter((key) => /^gauges\[\d+\]\.at$/.test(key) && scene.written[key.replace(/at$/, "on")] !== "fixed").flatMap((key) => {
       const at = numeric(scene.written[key]);
       if (at?.length !== 2) return [];
@@ -217,11 +222,38 @@ const section = {
     return { place, distance: Math.hypot(at[0] - place[0], at[1] - place[1]) };
   },
   /** An outline in place of the shape's keys. */
-  replace(points) {
+  replace(points, written, note) {
     this.points = points;
     this.chosen = 0;
     const shape = ["deadrise_deg", "breadth", "side_height", "radius", "height", "thickness"].filter((key) => `body.${key}` in scene.written);
-    this.commit([...shape.map((key) => ({ key: `body.${key}`, value: null })), { key: "body.shape", value: "polygon" }]);
+    const kind = written && scene.written["body.shape"] === "polyline" ? "polyline" : "polygon";
+    this.commit([...shape.map((key) => ({ key: `body.${key}`, value: null })), { key: "body.shape", value: kind }], written, note);
+  },
+
+  /** An outline that was typed or pasted: a list of points in brackets, or a line "x, y" for each. */
+  take(text) {
+    if (!/\d/.test(text)) return change([{ key: "body.points", value: text.trim() || null }]);
+    if (!text.trim().startsWith("[")) return this.read("points.csv", new Blob([text]), "body.points");
+    const pair = /\[\s*"?([^[\],"]+)"?\s*,\s*"?([^[\],"]+)"?\s*,?\s*\]/g, bare = text.replace(/#.*$/gm, ""), points = [...bare.matchAll(pair)].map(([, x, y]) => [length(x), length(y)]);
+    if (points.length < 3 || !points.flat().every(Number.isFinite) || /[^\s,[\]]/.test(bare.replace(pair, ""))) return change([{ key: "body.points", value: text }]);
+    return this.replace(points, text);
+  },
+  /** An outline from a table or a drawing, in the chosen unit; a mistake stands at the button, or at the key points. */
+  async read(name, content, at) {
+    const unit = $("import_unit").value, field = at && fields.shown.get(at), wrong = (why) => {
+      if (field) field.update("", { message: why, keep: true });
+      else { $("import_error").textContent = why; $("import_error").scrollIntoView({ block: "center" }); }
+      notice(`${name} was not read: the number is that of the section before.`);
+    };
+    $("import_error").textContent = "";
+    if (content.size > 1e6) return wrong(`${name}: expected a file below 1 MB`);
+    try {
+      const { points, error, mirrored } = await ask(`/api/outline?${new URLSearchParams({ name, unit })}`, content);
+      if (error) return wrong(error);
+      const xs = points.map((p) => p[0]), half = mirrored ? ` ${name} holds one half: the other is its mirror image about x = 0.` : "";
+      this.replace(points.map((p) => p.map((v) => +v.toPrecision(12))), null, `${name}: ${digits(Math.max(...xs) - Math.min(...xs))} m wide, read in ${unit || "its unit, or m"}.${half}`);
+      this.source = { name, content, at, value: this.value };
+    } catch (error) { wrong(error.message); }
   },
 };
 
@@ -244,27 +276,23 @@ $("add_point").addEventListener("click", () => section.add(section.chosen));
 $("remove_point").addEventListener("click", () => section.remove(section.chosen));
 for (const [id, i] of [["point_x", 0], ["point_y", 1]]) {
   $(id).addEventListener("change", () => {
-    const value = parseFloat($(id).value.replace(",", "."));
-    if (!Number.isFinite(value)) return section.showPoint();
-    const at = [...section.points[section.chosen]];
-    at[i] = value;
-    section.move(section.chosen, at);
+    const value = length($(id).value), at = [...section.points[section.chosen]], onAxis = i === 0 && section.mirrored() && section.image(section.chosen) === section.chosen;
+    const wrong = Number.isNaN(value) ? "Expected a number in m with a decimal point, or one with a unit such as 60 mm." : onAxis && value !== 0 ? "This point is on the axis: its x is 0 while the mirror image is moved too." : "";
+    complain($(id), "point_error", wrong);
+    if (wrong) return;
+    $(id).value = at[i] = value;
+    section.move(section.chosen, at, false);
     section.changed();
   });
 }
 $("import").addEventListener("change", async (event) => {
   const [file] = event.target.files;
   event.target.value = "";
-  if (!file) return;
-  $("import_error").textContent = file.size > 1e6 ? `${file.name}: expected a file below 1 MB` : "";
-  if (file.size > 1e6) return;
-  try {
-    const query = new URLSearchParams({ name: file.name, unit: $("import_unit").value });
-    const { points, error, mirrored } = await ask(`/api/outline?${query}`, file);
-    $("import_error").textContent = error || "";
-    $("import_note").textContent = mirrored ? `${file.name} holds one half: the other is its mirror image about x = 0.` : "";
-    if (points) section.replace(points);
-  } catch (error) {
-    $("import_error").textContent = error.message;
-  }
+  // the content is kept, to be read anew in another unit
+  if (file) section.read(file.name, new Blob([await file.arrayBuffer()]));
+});
+$("import_unit").addEventListener("change", () => {
+  const { source } = section;
+  if (source && source.value === scene.written["body.points"]) section.read(source.name, source.content, source.at);
+  else if (source) $("section_note").textContent = "The unit is that of the next import: the points were changed since the last.";
 });
