@@ -3,8 +3,7 @@ const grid = {
   form: $("grid"), id: null, last: null,
 
   begin() {
-    for (const model of MODELS) this.form.model.append(make("option", { value: model }, TITLES[model]));
-    this.form.model.value = "boundary_element";
+    for (const model of MODELS) this.form.model.append(make("option", { value: model }, TITLES[model])); this.form.model.value = "boundary_element";
     for (const [name, title] of [["peak_force_N_per_m", "peak force"], ["peak_acceleration_g", "peak acceleration"], ["impulse_N_s_per_m", "impulse"]]) this.form.result.append(make("option", { value: name }, title));
   },
 
@@ -34,9 +33,7 @@ const grid = {
   },
   /** Mark what was computed for another scene or other choices. */
   mark() {
-    const old = Boolean(this.last) && this.of !== this.state();
-    $("grid_old").hidden = !old;
-    $("grid_out").classList.toggle("old", old);
+    const old = Boolean(this.last) && this.of !== this.state(); $("grid_old").hidden = !old; $("grid_out").classList.toggle("old", old);
   },
   /** Ends of a range about the scene's value. */
   usual(k) {
@@ -49,43 +46,32 @@ const grid = {
     const number = (name) => (NUMBER.test(this.form[name].value.trim()) ? +this.form[name].value : NaN);
     const ranges = [1, 2].filter((k) => this.form[`key${k}`].value)
       .map((k) => ({ key: this.form[`key${k}`].value, from: number(`from${k}`), to: number(`to${k}`), count: number(`count${k}`) }));
-    await this.stop();
-    this.id = this.last = null;
-    $("grid_error").textContent = $("grid_progress").textContent = "";
-    $("grid_out").replaceChildren();
-    this.mark();
+    this.stop().catch(() => {}); this.id = this.last = null; $("grid_error").textContent = $("grid_progress").textContent = "";
+    $("grid_out").replaceChildren(); this.mark();
     const wrong = ranges.map((range) => (![range.from, range.to].every(Number.isFinite) || !Number.isInteger(range.count) || range.count < 1
       ? `Expected numbers from and to with a decimal point and without a unit${fields.word(range.key)?.unit ? `, in ${fields.word(range.key).unit}` : ""}, and a whole number of values.` : ""));
     if (ranges[1]?.key === ranges[0].key) wrong[1] = `${fields.title(ranges[1].key)} is the first key: expected another.`;
-    for (const k of [1, 2]) complain(this.form[`key${k}`], `grid_error${k}`, wrong[k - 1] || "");
-    if (wrong.some(Boolean)) return;
-    this.of = this.state();
-    const { id, error } = await ask("/api/grid", { text: scene.text, model: this.form.model.value, ranges });
+    for (const k of [1, 2]) complain(this.form[`key${k}`], `grid_error${k}`, wrong[k - 1] || ""); if (wrong.some(Boolean)) return;
+    this.of = this.state(); const { id, error } = await ask("/api/grid", { text: scene.text, model: this.form.model.value, ranges });
     if (error) { $("grid_error").textContent = fields.words(error); return; }
-    this.id = id;
-    this.look(id);
+    this.id = id; this.look(id);
   },
   async stop() { if (this.id) await ask(`/api/grid/stop?id=${this.id}`, {}); },
 
   async look(id) {
-    if (id !== this.id) return;
-    const found = (this.last = await ask(`/api/grid?id=${id}`));
-    const going = found.done < found.points.length && !found.stopped;
-    $("grid_stop").disabled = !going;
+    if (id !== this.id) return; const found = (this.last = await ask(`/api/grid?id=${id}`));
+    const going = found.done < found.points.length && !found.stopped; $("grid_stop").disabled = !going;
     $("grid_progress").textContent = `${found.done} of ${found.points.length}${going ? "" : found.done < found.points.length ? ", stopped" : " done"}`;
-    this.draw();
-    if (going) setTimeout(() => this.look(id).catch(() => { $("grid_progress").textContent += ", not followed to its end"; }), 250);
+    this.draw(); if (going) setTimeout(() => this.look(id).catch(() => { $("grid_progress").textContent += ", not followed to its end"; }), 250);
   },
 
   draw() {
-    if (!this.last) return;
-    const { ranges, points } = this.last, name = this.form.result.value;
+    if (!this.last) return; const { ranges, points } = this.last, name = this.form.result.value;
     const of = (point) => point?.results?.find((result) => result.name === name);
     const values = points.map((point) => of(point)?.value).filter((value) => value != null), top = Math.max(...values.map(Math.abs), 1e-300);
     const places = ranges.length === 2 ? ranges[0].values.flatMap((a) => ranges[1].values.map((b) => [a, b])) : ranges[0].values.map((a) => [a]);
     const cell = (k) => {
-      const point = points[k], result = of(point);
-      if (!point) return make("td", {}, "…");
+      const point = points[k], result = of(point); if (!point) return make("td", {}, "…");
       if (!result) return make("td", {}, make("small", {}, fields.words(point.why || "–")));
       const take = () => change(ranges.map((range, i) => ({ key: range.key, value: plain(places[k][i]) })));
       const node = make("td", { class: "value" }, make("button", { class: "cell", type: "button", title: `${result.verdict_words}; take these values into the scene`, onclick: take }, result.text.replace("withheld: its band is as large as itself", "withheld"), result.verdict === "resolved" ? "" : make("small", {}, ` ${result.verdict_words}`)));
@@ -104,9 +90,7 @@ const grid = {
       const rows = ranges[0].values.map((value, i) => make("tr", {}, make("th", { scope: "row" }, plain(value)), ...columns.map((_, j) => cell(i * columns.length + j))));
       out.push(make("table", {}, make("caption", {}, "A cell takes its values into the scene."), make("thead", {}, head), make("tbody", {}, ...rows)));
     }
-    $("grid_out").replaceChildren(...out);
-    markWide($("grid_out"));
-    this.mark();
+    $("grid_out").replaceChildren(...out); markWide($("grid_out")); this.mark();
   },
 };
 

@@ -6,12 +6,9 @@ const $ = (id) => document.getElementById(id);
 async function ask(path, body, signal) {
   const method = body === undefined ? "GET" : "POST", sent = body instanceof Blob ? body : JSON.stringify(body);
   const response = await fetch(path, { method, headers: { "X-Splashdown-Token": token }, body: sent, signal }).catch((error) => {
-    if (error.name !== "AbortError") reached(false);
-    throw error;
+    if (error.name !== "AbortError") reached(false); throw error;
   });
-  reached(true);
-  if (!response.ok) throw new Error((await response.text()).trim());
-  return response.json();
+  reached(true); if (!response.ok) throw new Error((await response.text()).trim()); return response.json();
 }
 
 /** An address that has the token. */
@@ -22,12 +19,10 @@ function make(tag, attributes = {}, ...children) {
   const svg = ["svg", "g", "path", "polygon", "polyline", "circle", "rect", "text", "line", "title"].includes(tag);
   const node = svg ? document.createElementNS("http://www.w3.org/2000/svg", tag) : document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) {
-    if (name.startsWith("on")) node.addEventListener(name.slice(2), value);
-    else if (value === true) node.setAttribute(name, "");
+    if (name.startsWith("on")) node.addEventListener(name.slice(2), value); else if (value === true) node.setAttribute(name, "");
     else if (value !== false && value != null) node.setAttribute(name, value);
   }
-  node.append(...children.filter((child) => child != null));
-  return node;
+  node.append(...children.filter((child) => child != null)); return node;
 }
 
 const PREFIXED = ["N/m", "Pa", "N", "N s/m"];
@@ -35,8 +30,7 @@ const PREFIXED = ["N/m", "Pa", "N", "N s/m"];
 function unitFor(si, size) {
   if (si === "s" && Math.abs(size) < 2) return { name: "ms", scale: 1e3 };
   if (PREFIXED.includes(si) && Math.abs(size) >= 1e6) return { name: `M${si}`, scale: 1e-6 };
-  if (PREFIXED.includes(si) && Math.abs(size) >= 1e3) return { name: `k${si}`, scale: 1e-3 };
-  return { name: si === "-" ? "" : si, scale: 1 };
+  if (PREFIXED.includes(si) && Math.abs(size) >= 1e3) return { name: `k${si}`, scale: 1e-3 }; return { name: si === "-" ? "" : si, scale: 1 };
 }
 
 /** A number with three digits. */
@@ -48,8 +42,7 @@ function digits(value) {
 
 /** A number with its unit. */
 function withUnit(value, si) {
-  const unit = unitFor(si, value);
-  return `${digits(value * unit.scale)} ${unit.name}`.trim();
+  const unit = unitFor(si, value); return `${digits(value * unit.scale)} ${unit.name}`.trim();
 }
 
 /** Seconds of waiting, roughly. */
@@ -76,8 +69,7 @@ function numeric(text) {
 }
 /** A message at a control, which is marked; without one the mark goes. */
 function complain(control, at, message) {
-  $(at).textContent = message;
-  if (message) control.setAttribute("aria-invalid", "true"); else control.removeAttribute("aria-invalid");
+  $(at).textContent = message; if (message) control.setAttribute("aria-invalid", "true"); else control.removeAttribute("aria-invalid");
 }
 /** Whether a box is wider than its place, to be said there. */
 const markWide = (box) => box.toggleAttribute("data-wide", box.scrollWidth > box.clientWidth + 1);

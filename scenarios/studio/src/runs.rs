@@ -271,7 +271,8 @@ impl Runs {
 fn inputs(keys: &Map<String, Value>) -> String {
     let model = keys.get("model").and_then(Value::as_str);
     let by_particles = !EntryModel::ALL.into_iter().any(|own| Some(own.name()) == model && own.is_theory());
-    let named = [("mass", "body.mass", "kg/m"), ("speed", "body.velocity", "m/s"), ("spacing", "resolution.spacing", "m")];
+    let named =
+        [("mass", "body.mass", "kg/m"), ("speed", "body.velocity", "m/s"), ("spacing", "resolution.spacing", "m")];
     let shown = named.into_iter().take(if by_particles { 3 } else { 2 });
     let words = shown.filter_map(|(title, key, si)| Some(format!("{title} {}", with_unit(size(keys, key)?, si))));
     words.collect::<Vec<_>>().join(", ")
