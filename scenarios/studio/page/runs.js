@@ -56,8 +56,9 @@ const runs = {
     if (run.state === "ended") {
       const box = make("input", { type: "checkbox", "aria-label": `Compare ${run.name}`, disabled: !run.has_results, onchange: () => { this.ticked[box.checked ? "add" : "delete"](run.name); $("compare").disabled = this.ticked.size < 2; } });
       box.checked = this.ticked.has(run.name);
-      line.append(box, make("b", {}, run.name), make("span", {}, [`${run.model}: ${run.words}`, run.has_results && run.peak, run.inputs].filter(Boolean).join("; ")));
+      line.append(box, make("b", {}, run.name), make("span", {}, `${run.model}: ${run.words}`));
       if (run.report) line.append(make("button", { onclick: () => this.frame(`Report of ${run.name}`, `/runs/${run.name}/report.html`) }, "Report"));
+      node.append(make("div", { class: "hint" }, [run.has_results && run.peak, run.inputs].filter(Boolean).join("; ")));
       if (run.message) node.append(make("p", { class: "error" }, fields.words(run.message))); return node;
     }
     const bar = make("progress", { max: 1, "aria-label": `Progress of ${run.name}` }), words = make("span", { class: "hint" });
