@@ -257,7 +257,7 @@ def rows(check):
     line = "[...document.querySelectorAll('#runs li')].map((li) => li.innerText).find((text) => text.includes('120') && text.includes('completed'))"
     check.wait(f"{line} !== undefined", "a run ends")
     line = check.value(line)
-    check.must(re.search(r"boundary elements: completed.*peak force .*±.*mass 120\skg/m, speed 5.00\sm/s", line or ""), f"the line of a run: {line}")
+    check.must(re.search(r"boundary elements: completed.*peak force .*±.*mass 120\skg/m, speed 5.00\sm/s", line or "", re.S), f"the line of a run: {line}")
     top = "document.getElementById('fields').getBoundingClientRect().top + window.scrollY"
     was = check.value(top)
     check.value("document.querySelector('[data-key=\"body.mass\"] input').focus()")

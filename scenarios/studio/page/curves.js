@@ -55,7 +55,7 @@ const answers = {
 
   quote(answer) {
     // while nothing holds for the present scene, the number before is shown as old
-    const old = !answer && this.flowing && this.quoted, box = $("quote"), quote = (answer = this.quoted = answer || old || null)?.quote;
+    const old = !answer && (this.flowing || scene.lost) && this.quoted, box = $("quote"), quote = (answer = this.quoted = answer || old || null)?.quote;
     const wrong = scene.lost ? "The studio does not answer: what is shown is of the last scene that it computed. Start it again where it has ended."
       : scene.error ? `The scene has a mistake: ${scene.error.message}. The number is that of the last scene without one.` : scene.implausible ? `Check the scene first: ${scene.implausible}.` : scene.notice;
     $("number").classList.toggle("old", Boolean(scene.lost || scene.error || old));
