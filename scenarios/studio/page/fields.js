@@ -161,3 +161,4 @@ const fields = {
 
 $("find").addEventListener("input", () => fields.filter());
 fields.host.addEventListener("focusin", (event) => { $("help").textContent = fields.words(event.target.closest(".field")?.querySelector("[id$=_help]").textContent ?? ""); });
+fields.host.addEventListener("focusout", () => { $("help").textContent = ""; });
