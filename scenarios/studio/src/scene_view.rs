@@ -127,8 +127,9 @@ mod tests {
     #[test]
     fn a_section_of_another_unit_is_implausible() {
         let text = |mass: f64| {
-            let body =
-                format!("shape = \"wedge\"\ndeadrise_deg = 20\nfree = [\"y\"]\nbreadth = 0.6\nmass = {mass}\nvelocity = [0, -4]\n");
+            let body = format!(
+                "shape = \"wedge\"\ndeadrise_deg = 20\nfree = [\"y\"]\nbreadth = 0.6\nmass = {mass}\nvelocity = [0, -4]\n"
+            );
             format!("name = \"a\"\nmodel = \"wagner\"\n[time]\nend = 0.01\n[body]\n{body}")
         };
         let of = |mass| view(Path::new("."), &Asked { text: text(mass), edits: Vec::new() })["implausible"].clone();
