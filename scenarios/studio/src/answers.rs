@@ -7,7 +7,7 @@ use report::COARSE;
 use report::run_page::quantity::with_unit;
 use report::run_page::two_digits;
 use run::RunOptions;
-use scene::vocabulary::{Quantity, ResultId, ResultName, Results, Verdict};
+use scene::vocabulary::{Doubt, Quantity, ResultId, ResultName, Results, Verdict};
 use scene::{EntryModel, Loaded, SceneError};
 use serde::Deserialize;
 use serde_json::{Value, json};
@@ -17,6 +17,8 @@ use crate::scene_view::{load, mistake};
 
 /// Rows of a curve that the page draws, at most.
 const MOST_ROWS: usize = 400;
+/// What is said of a largest force at the end of the time.
+const GROWING: &str = "Do not quote it as the peak: at the end of the time it may still grow. A later end shows more.";
 /// Ends of the columns that are drawn, with their title and SI unit.
 const CURVES: [(&str, &str, &str); 3] =
     [(".fy_N_per_m", "Force", "N/m"), (".vy_m_per_s", "Speed", "m/s"), (".ay_m_per_s2", "Acceleration", "m/s²")];
@@ -108,6 +110,9 @@ pub fn of_folder(dir: &Path) -> Result<Value, String> {
 fn answer(summary: &Value, columns: &[String], rows: &[Vec<f64>]) -> Value {
     let model = summary["model"].as_str().unwrap_or_default();
     let results = Results::deserialize(&summary["results"]).unwrap_or_default();
+    let (results, growing) = doubted(results, ends(rows));
+    let mut doubts: Vec<String> = Vec::deserialize(&summary["doubts"]).unwrap_or_default();
+    doubts.extend(growing.iter().map(Doubt::to_string).filter(|growing| !doubts.contains(growing)).collect::<Vec<_>>());
     let place = |end: &str| columns.iter().position(|column| column.ends_with(end));
     let every = rows.len().div_ceil(MOST_ROWS).max(1);
     let shown = || rows.iter().enumerate().filter(|(k, _)| k % every == 0 || k + 1 == rows.len()).map(|(_, row)| row);
@@ -123,9 +128,20 @@ fn answer(summary: &Value, columns: &[String], rows: &[Vec<f64>]) -> Value {
         "time": finite(0),
         "curves": CURVES.iter().filter_map(curve).collect::<Vec<_>>(),
         "results": results.named().map(|(id, quantity)| result(&id, quantity)).collect::<Vec<_>>(),
-        "quote": quote(model, &results),
-        "doubts": summary["doubts"],
+        "quote": quote(model, &results, growing.as_ref()),
+        "doubts": doubts,
     })
+}
+
+/// First and last time of rows [s].
+pub fn ends(rows: &[Vec<f64>]) -> Option<[f64; 2]> {
+    Some([*rows.first()?.first()?, *rows.last()?.first()?])
+}
+
+/// Results between two times [s], and a doubt about those that are largest at the end, whatever moves the body.
+pub fn doubted(mut results: Results, ends: Option<[f64; 2]>) -> (Results, Option<Doubt>) {
+    let growing = ends.and_then(|ends| results.still_growing(ends));
+    (results, growing)
 }
 
 /// A result with its unit and in words.
@@ -144,27 +160,28 @@ pub fn result(id: &ResultId, quantity: &Quantity) -> Value {
 }
 
 /// A number with its band.
-fn number(quantity: &Quantity, si: &str) -> String {
+pub fn number(quantity: &Quantity, si: &str) -> String {
     let Some(value) = quantity.shown() else { return "withheld: its band is as large as itself".into() };
     let share = quantity.share().map_or(String::new(), |share| format!(" ± {} %", two_digits(100.0 * share)));
     format!("{}{share}", with_unit(value, si))
 }
 
 /// The number to quote in words: what it is, and what may be said of it.
-fn quote(model: &str, results: &Results) -> Value {
+fn quote(model: &str, results: &Results, growing: Option<&Doubt>) -> Value {
     let Some(force) = results.get(ResultName::PeakForce) else { return Value::Null };
     let time = force.time_s.map_or(String::new(), |time| format!(", {} after the start", with_unit(time, "s")));
     let also =
         |id: &ResultId| id.panel.is_some() || [ResultName::PeakAcceleration, ResultName::Impulse].contains(&id.name);
     let others = results.named().filter(|(id, _)| also(id));
     let others = others.map(|(id, quantity)| format!("{}: {}", id.title(), number(quantity, id.name.si())));
+    let grows = growing.is_some_and(|doubt| doubt.about.iter().any(|name| name == ResultName::PeakForce.name()));
     json!({
         "value": force.shown(),
         "share": force.share(),
         "verdict": force.verdict.name(),
         "number": number(&force, "N/m"),
         "by": format!("per metre of span, by {}{time}", title(model)),
-        "verdict_in_words": verdict(&force),
+        "verdict_in_words": if grows { GROWING.into() } else { verdict(&force) },
         "others": others.collect::<Vec<_>>(),
     })
 }

@@ -11,7 +11,7 @@ use scene::{EntryModel, SceneError};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use crate::answers::{refused, result, with_model};
+use crate::answers::{doubted, ends, refused, result, with_model};
 use crate::held::held;
 use crate::scene_view::load;
 
@@ -151,7 +151,8 @@ impl Grid {
         let loaded = load(&self.folder, &self.asked.text, &sets).map_err(|error| why(&error))?;
         let options = RunOptions { without_log: true, ..RunOptions::default() };
         let outcome = run::run(&loaded.scene, &options).map_err(|error| json!({"why": error.to_string()}))?;
-        let results = outcome.summary.results.named().map(|(id, quantity)| result(&id, quantity));
+        let (results, _) = doubted(outcome.summary.results.clone(), ends(outcome.series.rows()));
+        let results = results.named().map(|(id, quantity)| result(&id, quantity));
         Ok(json!({"results": results.collect::<Vec<_>>()}))
     }
 }

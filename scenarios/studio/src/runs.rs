@@ -8,14 +8,17 @@ use std::sync::{Arc, Condvar, Mutex, PoisonError};
 use std::time::Instant;
 
 use report::page_of_run;
+use report::run_page::quantity::with_unit;
 use run::log::{LogError, Viewers};
 use run::memory::available_memory;
 use run::{Checkpoints, RunOptions};
-use scene::vocabulary::Status;
-use scene::{Loaded, Scene};
-use serde_json::{Value, json};
+use scene::vocabulary::{ResultName, Results, Status};
+use scene::{EntryModel, Loaded, Scene};
+use serde::Deserialize;
+use serde_json::{Map, Value, json};
 
-use crate::answers::title;
+use crate::answers::{doubted, number, title};
+use crate::edit::written;
 use crate::held::held;
 use crate::picture::{LiveFrame, Watcher};
 use crate::scene_view::{fingerprint, load, mistake};
@@ -215,6 +218,7 @@ impl Runs {
                 "name": run.name,
                 "model": title(run.loaded.scene.model.name()),
                 "particles": !run.loaded.scene.model.is_theory(),
+                "inputs": inputs(&written(&run.loaded.scene.to_toml()).unwrap_or_default()),
                 "state": state,
                 "words": state,
                 "share": share,
@@ -242,6 +246,11 @@ impl Runs {
         let text = std::fs::read_to_string(folder.join("summary.json")).unwrap_or_default();
         let summary: Value = serde_json::from_str(&text).unwrap_or_default();
         let status = Status::of(summary["status"].as_str().unwrap_or_default());
+        let keys = written(&resolved).unwrap_or_default();
+        let ends = [size(&keys, "time.start").unwrap_or(0.0), size(&keys, "time.end").unwrap_or(f64::INFINITY)];
+        let (results, _) = doubted(Results::deserialize(&summary["results"]).unwrap_or_default(), Some(ends));
+        let force = results.get(ResultName::PeakForce);
+        let peak = force.map(|force| format!("peak force {}, {}", number(&force, "N/m"), force.verdict.words()));
         Some(json!({
             "name": name,
             "model": title(summary["model"].as_str().unwrap_or_default()),
@@ -252,7 +261,26 @@ impl Runs {
             "has_results": status.has_results(),
             "report": folder.join("report.html").is_file(),
             "fingerprint": fingerprint(&resolved),
-            "peak": summary.pointer("/results/peak_force_N_per_m/value"),
+            "inputs": inputs(&keys),
+            "peak": peak,
         }))
     }
+}
+
+/// Mass, speed and, of particles, the spacing of a resolved scene, in words.
+fn inputs(keys: &Map<String, Value>) -> String {
+    let model = keys.get("model").and_then(Value::as_str);
+    let by_particles = !EntryModel::ALL.into_iter().any(|own| Some(own.name()) == model && own.is_theory());
+    let named =
+        [("mass", "body.mass", "kg/m"), ("speed", "body.velocity", "m/s"), ("spacing", "resolution.spacing", "m")];
+    let shown = named.into_iter().take(if by_particles { 3 } else { 2 });
+    let words = shown.filter_map(|(title, key, si)| Some(format!("{title} {}", with_unit(size(keys, key)?, si))));
+    words.collect::<Vec<_>>().join(", ")
+}
+
+/// The number of a resolved key, of a vector its length.
+fn size(keys: &Map<String, Value>, key: &str) -> Option<f64> {
+    let text = keys.get(key)?.as_str()?.trim_matches(['[', ']']);
+    let parts: Vec<f64> = text.split(',').map(|part| part.trim().parse().ok()).collect::<Option<_>>()?;
+    if let [one] = parts[..] { Some(one) } else { Some(parts.iter().fold(0.0, |size, part| part.hypot(size))) }
 }

@@ -29,9 +29,11 @@ pub fn load(folder: &Path, text: &str, sets: &[String]) -> Result<Loaded, SceneE
 /// A mistake, with the key and the line of it where they are known.
 pub fn mistake(error: &SceneError) -> Value {
     let mut json = error.to_json();
-    // the text has no file that a reader knows
-    if let SceneError::File { line, problem, .. } = error {
+    // the text has no file that a reader knows, and a range no argument
+    if let SceneError::File { problem, .. } | SceneError::Set { problem, .. } = error {
         json["message"] = json!(problem.to_string());
+    }
+    if let SceneError::File { line, .. } = error {
         json["line"] = json!(line);
     }
     json
@@ -58,6 +60,7 @@ pub fn view(folder: &Path, Asked { text, edits }: &Asked) -> Value {
                 "written": keys,
                 "resolved": written(&resolved),
                 "warnings": loaded.warnings,
+                "implausible": loaded.warnings.iter().find(|warning| is_implausible(warning)),
                 "section": section(scene),
                 "cost": (!scene.model.is_theory()).then(|| json!({"fluid": particle_estimate(scene).0, "core_seconds": core_seconds(scene)})),
                 "name": scene.name,
@@ -65,6 +68,11 @@ pub fn view(folder: &Path, Asked { text, edits }: &Asked) -> Value {
             })
         }
     }
+}
+
+/// Whether a warning says that the size or the mass of the body is hardly what was meant.
+fn is_implausible(warning: &str) -> bool {
+    ["the mean density of the body", "may be meant in"].iter().any(|words| warning.contains(words))
 }
 
 /// The same for two scenes that are alike once resolved, in one process.
@@ -110,4 +118,22 @@ fn body(body: &Body) -> Value {
         "panels": body.panels.iter().map(panel).collect::<Vec<_>>(),
         "velocity": body.velocity,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_section_of_another_unit_is_implausible() {
+        let text = |mass: f64| {
+            let body = format!(
+                "shape = \"wedge\"\ndeadrise_deg = 20\nfree = [\"y\"]\nbreadth = 0.6\nmass = {mass}\nvelocity = [0, -4]\n"
+            );
+            format!("name = \"a\"\nmodel = \"wagner\"\n[time]\nend = 0.01\n[body]\n{body}")
+        };
+        let of = |mass| view(Path::new("."), &Asked { text: text(mass), edits: Vec::new() })["implausible"].clone();
+        assert_eq!(of(40.0), Value::Null);
+        assert!(of(1e9).is_string() && of(0.04).is_string(), "{} {}", of(1e9), of(0.04));
+    }
 }
