@@ -7,9 +7,9 @@ use super::super::section::Section;
 use super::FlowEnded;
 use super::cauchy::{Complex, Contour};
 use super::deflection::{AlongBottom, BottomMotion};
-use super::entry::{keels, latest_under_gravity};
 use super::first_contact::{FirstContact, PlateLoad};
 use super::solution::{Solution, SymmetricSolution};
+use super::start::{keels, latest_under_gravity};
 use super::state::EntryFlow;
 
 /// Draught at which the flow about a bottom that bends begins, over that at which its chines are wet [-].

@@ -2,16 +2,13 @@
 //! logarithm.
 
 use std::array::from_fn;
-use std::ops::{Add, Mul, Range, Sub};
+use std::ops::Range;
 
 use faer::c64;
 use pulp::{Arch, NullaryFnOnce};
 
-/// Numbers of as many elements as are treated at a time.
-#[derive(Clone, Copy, Default)]
-struct Lanes([f64; LANES]);
+use super::lanes::{LANES, Lanes, times, times_plus};
 
-const LANES: usize = 8;
 /// Factors of w, w², … in artanh(u)/u − 1, w = u².
 const SERIES: [f64; 7] = [1.0 / 3.0, 1.0 / 5.0, 1.0 / 7.0, 1.0 / 9.0, 1.0 / 11.0, 1.0 / 13.0, 1.0 / 15.0];
 /// Place of an element that fills a block and has no length [m].
@@ -20,72 +17,6 @@ const VERY_FAR: f64 = 1e30;
 const FAR: f64 = 0.04;
 /// Largest |u|² at which four terms do, with an error of 10⁻¹⁰.
 const VERY_SMALL: f64 = 6e-3;
-
-impl Add for Lanes {
-    type Output = Lanes;
-    #[inline(always)]
-    fn add(self, other: Lanes) -> Lanes {
-        Lanes(from_fn(|k| self.0[k] + other.0[k]))
-    }
-}
-
-impl Sub for Lanes {
-    type Output = Lanes;
-    #[inline(always)]
-    fn sub(self, other: Lanes) -> Lanes {
-        Lanes(from_fn(|k| self.0[k] - other.0[k]))
-    }
-}
-
-impl Mul for Lanes {
-    type Output = Lanes;
-    #[inline(always)]
-    fn mul(self, other: Lanes) -> Lanes {
-        Lanes(from_fn(|k| self.0[k] * other.0[k]))
-    }
-}
-
-impl Lanes {
-    #[inline(always)]
-    fn all(value: f64) -> Lanes {
-        Lanes([value; LANES])
-    }
-
-    /// a b + c, rounded once.
-    #[inline(always)]
-    fn times_plus(self, b: Lanes, c: Lanes) -> Lanes {
-        Lanes(from_fn(|k| self.0[k].mul_add(b.0[k], c.0[k])))
-    }
-
-    /// c − a b, rounded once.
-    #[inline(always)]
-    fn times_less(self, b: Lanes, c: Lanes) -> Lanes {
-        Lanes(from_fn(|k| (-self.0[k]).mul_add(b.0[k], c.0[k])))
-    }
-
-    #[inline(always)]
-    fn inverse(self) -> Lanes {
-        Lanes(from_fn(|k| 1.0 / self.0[k]))
-    }
-
-    /// The largest of them; NaN counts as the largest.
-    #[inline(always)]
-    fn largest(self) -> f64 {
-        self.0.iter().fold(0.0, |most: f64, number| if *number < most { most } else { *number })
-    }
-}
-
-/// Product of complex numbers.
-#[inline(always)]
-fn times(a: [Lanes; 2], b: [Lanes; 2]) -> [Lanes; 2] {
-    [a[1].times_less(b[1], a[0] * b[0]), a[0].times_plus(b[1], a[1] * b[0])]
-}
-
-/// a b + c of complex numbers.
-#[inline(always)]
-fn times_plus(a: [Lanes; 2], b: [Lanes; 2], c: [Lanes; 2]) -> [Lanes; 2] {
-    [a[1].times_less(b[1], a[0].times_plus(b[0], c[0])), a[0].times_plus(b[1], a[1].times_plus(b[0], c[1]))]
-}
 
 /// Elements that are treated at a time: middles, half of the way from the first end to the second, and twice its square, x and y [m, m²].
 #[derive(Clone, Copy, Default)]

@@ -14,10 +14,12 @@ mod face;
 mod factorised;
 mod first_contact;
 mod influence;
+mod lanes;
 mod lower_side;
 mod rolled;
 mod solution;
 mod spline;
+mod start;
 mod state;
 mod stepping;
 mod surface;
@@ -36,11 +38,11 @@ pub use solution::FlowLoad;
 pub use state::EntryFlow;
 
 use elements::{Sizes, arc_length};
-use entry::{AddedKeel, BEGIN, LATEST, keels};
 use face::Face;
 use lower_side::LowerSide;
 use solution::{Solution, Solved, SymmetricSolution};
 use spline::Spline;
+use start::{AddedKeel, BEGIN, LATEST, keels};
 use surface::FreeSurface;
 
 use super::model::{EntryModel, OutOfRange};

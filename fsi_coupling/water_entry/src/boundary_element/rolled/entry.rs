@@ -2,9 +2,8 @@
 
 use super::{RolledFlow, RolledLoad};
 use crate::asymmetric_similarity::AsymmetricFlow;
-use crate::boundary_element::entry::{
-    STOPPED, begin_of_wedge, fall, latest_under_gravity, rate, slowed_at, until_the_flow,
-};
+use crate::boundary_element::entry::{STOPPED, fall, rate, until_the_flow};
+use crate::boundary_element::start::{begin_of_wedge, latest_under_gravity, slowed_at};
 use crate::entry::SectionMotion;
 use crate::model::{EntryModel, OutOfRange};
 

@@ -11,9 +11,9 @@ pub use solution::RolledLoad;
 use solution::RolledSolution;
 
 use super::elements::Sizes;
-use super::entry::BEGIN;
 use super::face::Face;
 use super::lower_side::LowerSide;
+use super::start::BEGIN;
 use super::state::EntryFlow;
 use super::stepping::step;
 use super::surface::FreeSurface;
