@@ -235,8 +235,9 @@ impl Preflight {
         if !self.theories.is_empty() {
             lines.push(format!("  {:<17}about {:.0} core-seconds", "particles", self.core_seconds));
         }
+        let warnings = self.warnings.iter().map(|w| format!("warning      {w}"));
         if EntryModel::ALL.iter().any(|model| model.is_theory() && model.name() == self.model) {
-            return lines.join("\n");
+            return lines.into_iter().chain(warnings).collect::<Vec<_>>().join("\n");
         }
         lines.extend([
             format!("particles    {} fluid{growing}, about {} wall", self.fluid_particles, self.wall_particles),
@@ -263,7 +264,7 @@ impl Preflight {
         lines.extend(self.exchange());
         lines.extend(self.panels.iter().map(|panel| self.exchange_with(panel)));
         lines.extend(self.modes.iter().map(ModesBrief::to_text));
-        lines.extend(self.warnings.iter().map(|w| format!("warning      {w}")));
+        lines.extend(warnings);
         lines.join("\n")
     }
 
@@ -320,5 +321,15 @@ mod tests {
     fn the_block_of_water_is_counted() {
         let loaded = load("falling_jet", &[]).expect("a built-in scene");
         assert_eq!(preflight(&loaded.scene, &loaded.warnings).fluid_particles, 1350);
+    }
+
+    /// Warnings stand in the text whatever the model.
+    #[test]
+    fn theories_have_warnings_too() {
+        for model in ["model=wagner", "model=wcsph"] {
+            let loaded = load("wedge", &[model.into(), "body.mass=1e9".into()]).expect("a scene");
+            let text = preflight(&loaded.scene, &loaded.warnings).to_text();
+            assert!(text.contains("warning      the mean density"), "{text}");
+        }
     }
 }
