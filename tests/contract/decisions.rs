@@ -192,6 +192,8 @@ fn wrong_questions_are_refused() {
         .expect("a file");
     std::fs::write(place.path("k.toml"), "scene = \"wedge\"\n[inputs]\nbody.name = { normal = [1, 1] }\n")
         .expect("a file");
+    std::fs::write(place.path("own.csv"), "time_s,wedge.vy_m_per_s\n0,-6\n0.005,-5.9\n0.01,-5.5\n0.015,-5\n")
+        .expect("a file");
     let inputs = "scene = \"wedge\"\n[inputs]\nbody.mass = { normal = [200, 1] }\n";
     std::fs::write(place.path("u.toml"), format!("{inputs}body.masss = {{ normal = [1, 1] }}\n")).expect("a file");
     std::fs::write(place.path("g.toml"), "scene = \"wedge\"\n[grid]\nbody.mass = { normal = [200, 1] }\n")
@@ -221,7 +223,7 @@ fn wrong_questions_are_refused() {
             &["fit", "wedge", "--set", "model=mlm", "--to", "other.csv", "--for", "body.mass"],
             &["no column `boat.vy_m_per_s`", "wedge.vy_m_per_s"],
         ),
-        (&["fit", "wedge", "--set", "model=mlm", "--to", "other.csv", "--for", "body.velocity.0"], &["0 in the scene"]),
+        (&["fit", "wedge", "--set", "model=mlm", "--to", "own.csv", "--for", "body.velocity.0"], &["0 in the scene"]),
     ] {
         let ended = place.run(arguments);
         assert_eq!(ended.code, Some(2), "{arguments:?}: {}", ended.message);

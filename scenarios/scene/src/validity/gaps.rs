@@ -106,7 +106,7 @@ mod tests {
         assert_eq!([[0.0, -0.25], [0.0, -0.43]].map(|at| gap_limit(&scene(at, ""))), [None, None]);
         for (at, beside) in [
             ([0.0, -0.435], "the floor are 1.5 spacings"),
-            ([0.0, -0.45], "the floor are 0 spacings"),
+            ([0.0, -0.45], "the floor touch, or nearly"),
             ([-0.39, -0.25], "the left wall are 1 spacings"),
             ([0.385, -0.25], "the right wall are 1.5 spacings"),
             ([0.0, -0.06], "the surface are 1 spacings"),
