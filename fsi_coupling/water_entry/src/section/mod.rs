@@ -129,9 +129,11 @@ impl Section {
         }
         let section = Section::new(&right)?;
         let half_breadth = section.half_breadth();
-        let reaches_out = lowest_beyond(points, x0, half_breadth * (1.0 + FLARE)) - lowest < DRY * 2.0 * half_breadth;
-        let outline =
-            reaches_out.then(|| points.iter().map(|[x, y]| [x - x0, y - lowest]).collect()).unwrap_or_default();
+        let height = lowest_beyond(points, x0, half_breadth * (1.0 + FLARE)) - lowest;
+        let outline = match height < DRY * 2.0 * half_breadth {
+            true => points.iter().map(|[x, y]| [x - x0, y - lowest]).collect(),
+            false => Vec::new(),
+        };
         let section = match section.circle() {
             Some(radius) => Section::arc(radius, 2.0 * section.half_breadth()),
             None if section.flat_keel().is_some() && section.slopes.len() == 1 => {
