@@ -56,13 +56,13 @@ pub fn assess(scene: &Scene, want: QuantityOfInterest) -> Vec<Assessment> {
 }
 
 /// Core-seconds of boundary elements about a flow: those of any, and what steps as short as the jet is thin add, times tan²β.
-const OF_WEDGE: [f64; 2] = [0.07, 0.03];
+const OF_WEDGE: [f64; 2] = [0.02, 0.011];
 /// The same about a bent bottom, with finer elements.
-const OF_BENT: [f64; 2] = [0.1, 0.09];
+const OF_BENT: [f64; 2] = [0.07, 0.016];
 /// About a round bottom.
-const OF_ROUND: f64 = 0.35;
+const OF_ROUND: f64 = 0.2;
 /// About a bottom that bends: from a smaller draught, and the structure's iterations.
-const OF_BENDING: [f64; 2] = [0.5, 0.2];
+const OF_BENDING: [f64; 2] = [0.1, 0.036];
 /// Times as long about a rolled wedge: both sides.
 const ROLLED: f64 = 1.5;
 

@@ -42,7 +42,7 @@ const BENDING_FACES: [f64; 2] = [10.0, 35.0];
 const BENDING_ARC: f64 = 0.67;
 /// Largest differences from particles on them: largest force, largest stress, and RMS of a falling frame's speed over that at contact [-].
 const BENDING_ERROR: f64 = 0.05;
-const BENDING_STRESS_ERROR: f64 = 0.12;
+const BENDING_STRESS_ERROR: f64 = 0.05;
 const BENDING_DROP_ERROR: f64 = 0.01;
 
 /// Largest error of force and largest pressures on rolled wedges at constant speed (`tests/verification/asymmetric_similarity.rs`) [-].

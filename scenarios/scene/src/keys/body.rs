@@ -233,8 +233,8 @@ pub fn panel_line(body: &Body, panel: &Panel) -> Vec<[f64; 2]> {
 
 /// Height of a wedge that is wet, over its draught: the water piles up beside it (Wagner 1932).
 const WET_HEIGHT: f64 = std::f64::consts::FRAC_PI_2;
-/// Share of a panel over which the water has come when its stress is largest [-].
-const MOST: f64 = 0.8;
+/// Share of a panel over which the water has come when its stress is largest, at least [-].
+const MOST: f64 = 0.6;
 
 impl Body {
     /// Names of the panels over most of which the water has not come.
