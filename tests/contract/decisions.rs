@@ -85,8 +85,8 @@ fn the_smallest_value_between_two_limits_and_what_no_limit_decides() {
     std::fs::write(place.path("panel.toml"), panel.stdout).expect("a file");
     let thickness = |more: &[&str]| size(&[&["panel.toml", "--for", "panels.bottom.thickness"], more].concat());
     // a thickness that cannot be run is no end of the search
-    let usual = number(&thickness(&["--reserve", "1.2"]), "value");
-    let wide = thickness(&["--reserve", "1.2", "--from", "0.2 mm", "--to", "20 mm"]);
+    let usual = number(&thickness(&["--reserve", "2"]), "value");
+    let wide = thickness(&["--reserve", "2", "--from", "0.2 mm", "--to", "20 mm"]);
     assert!((number(&wide, "value") / usual - 1.0).abs() < 4e-3 && wide["at_end"] == false, "{usual} {wide}");
     assert!(wide["notes"].to_string().contains("cannot be run"), "{wide}");
     let early = thickness(&["--reserve", "1.2", "--set", "time.end=0.006"]);
