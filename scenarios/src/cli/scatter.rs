@@ -83,7 +83,7 @@ fn words(found: &Found) -> String {
         let quantiles = of.quantiles.iter().map(|q| {
             let interval = match q.interval {
                 Some([a, b]) => format!(" [{}, {}]", significant(a), significant(b)),
-                None => " (no interval: too few samples)".into(),
+                None => " (no interval: too few samples, or too many missing)".into(),
             };
             format!("P{} {}{interval}", significant(100.0 * q.share), significant(q.value))
         });
