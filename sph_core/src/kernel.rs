@@ -36,8 +36,8 @@ pub enum Kernel {
     WendlandC6,
 }
 
-/// A kernel's dimensionless shape. `W = ALPHA/h² w(q)`; `∇_a W_ab = ALPHA/h⁴ · FALL fall(q) · r_ab`. Both are nothing for
-/// q ≥ 2: pairs are not asked first.
+/// A kernel's dimensionless shape. `W = ALPHA/h² w(q)`; `∇_a W_ab = F r_ab` with `F = ALPHA/h⁴ DW_FACTOR dw_over_q(q)`; `F'(r)/r = ALPHA/h⁶
+/// DW_FACTOR bend(q)`. All are nothing for q ≥ 2: pairs are not asked first.
 pub(crate) trait Shape: Copy + Send + Sync + 'static {
     /// Normalisation [-]: α ∫₀² w(q) 2πq dq = 1.
     const ALPHA: f64;
@@ -47,6 +47,8 @@ pub(crate) trait Shape: Copy + Send + Sync + 'static {
     const DW_FACTOR: f64;
     /// w'(q)/q over `DW_FACTOR` [-] (never negative), for 0 < q; finite at 0.
     fn dw_over_q<R: SimdReal>(q: R) -> R;
+    /// Slope of [`Shape::dw_over_q`] over q [-], for 0 < q: how ∇W changes as a pair moves.
+    fn bend<R: SimdReal>(q: R) -> R;
     /// Its sums are compiled for several targets side by side too. False for the kernels of 2010, which few scenes use.
     const SIDE_BY_SIDE: bool = true;
     /// Its sums are compiled for the registers of AVX-512 too.
@@ -99,6 +101,10 @@ impl Shape for Gaussian {
     fn dw_over_q<R: SimdReal>(q: R) -> R {
         Self::w(q)
     }
+    #[inline(always)]
+    fn bend<R: SimdReal>(q: R) -> R {
+        q.of(-2.0) * Self::w(q)
+    }
 }
 
 impl Shape for Quadratic {
@@ -113,6 +119,10 @@ impl Shape for Quadratic {
     #[inline(always)]
     fn dw_over_q<R: SimdReal>(q: R) -> R {
         (q.of(2.0) - q).max(q.of(0.0)) / q.max(q.of(1e-12))
+    }
+    #[inline(always)]
+    fn bend<R: SimdReal>(q: R) -> R {
+        q.below(q.of(2.0), q.of(-2.0) / (q * q * q), q.of(0.0))
     }
 }
 
@@ -129,6 +139,11 @@ impl Shape for CubicSpline {
     fn dw_over_q<R: SimdReal>(q: R) -> R {
         let t = (q.of(2.0) - q).max(q.of(0.0));
         q.below(q.of(1.0), q.of(4.0) - q.of(3.0) * q, t * t / q)
+    }
+    #[inline(always)]
+    fn bend<R: SimdReal>(q: R) -> R {
+        let t = (q.of(2.0) - q).max(q.of(0.0));
+        q.below(q.of(1.0), q.of(-3.0) / q, q.of(-1.0) * t * (q.of(2.0) + q) / (q * q * q))
     }
 }
 
@@ -147,6 +162,11 @@ impl Shape for WendlandC2 {
         let t = half_left(q);
         t * t * t
     }
+    #[inline(always)]
+    fn bend<R: SimdReal>(q: R) -> R {
+        let t = half_left(q);
+        q.of(-1.5) * t * t / q
+    }
 }
 
 impl Shape for WendlandC4 {
@@ -163,6 +183,12 @@ impl Shape for WendlandC4 {
         let t = half_left(q);
         let t2 = t * t;
         t2 * t2 * t * q.mul_add(q.of(2.5), q.of(1.0))
+    }
+    #[inline(always)]
+    fn bend<R: SimdReal>(q: R) -> R {
+        let t = half_left(q);
+        let t2 = t * t;
+        q.of(-7.5) * t2 * t2
     }
 }
 
@@ -181,6 +207,12 @@ impl Shape for WendlandC6 {
         let t = half_left(q);
         let t3 = t * t * t;
         t3 * t3 * t * q.of(4.0).mul_add(q, q.of(3.5)).mul_add(q, q.of(1.0))
+    }
+    #[inline(always)]
+    fn bend<R: SimdReal>(q: R) -> R {
+        let t = half_left(q);
+        let t3 = t * t * t;
+        q.of(-6.0) * t3 * t3 * q.mul_add(q.of(3.0), q.of(1.0))
     }
 }
 
@@ -311,6 +343,27 @@ mod tests {
                 let slope = (kernel.value(r + e, h) - kernel.value(r - e, h)) / (2.0 * e);
                 let ours = kernel.gradient_factor(r, h) * r;
                 assert!((slope - ours).abs() < 1e-7, "{kernel:?} at q = {q}: {slope} against {ours}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_bend_is_the_slope_of_the_gradient() {
+        struct At(f64);
+        impl WithKernel for At {
+            type Out = [f64; 2];
+            fn with<K: Shape>(self) -> [f64; 2] {
+                let (q, e) = (self.0, 1e-6);
+                [(K::dw_over_q(q + e) - K::dw_over_q(q - e)) / (2.0 * e * q), K::bend(q)]
+            }
+        }
+        for kernel in Kernel::ALL {
+            for q in [0.1, 0.5, 0.99, 1.01, 1.5, 1.9, 2.1] {
+                let [slope, ours] = kernel.run(At(q));
+                assert!(
+                    (slope - ours).abs() < 1e-6 * (1.0 + slope.abs()),
+                    "{kernel:?} at q = {q}: {slope} against {ours}"
+                );
             }
         }
     }

@@ -37,7 +37,7 @@ const CALM: f64 = 0.3;
 /// Share of a step's cost that held geometry does not save [-].
 const NOT_HELD: f64 = 0.4;
 
-/// Cost of a particle and step [s]; with a geometry that is held for n acoustic steps on wedges it was 0.73 of it for n = 4, 0.5 for 16.
+/// Cost of a particle and step [s]; with a geometry that is held for n acoustic steps on wedges it was 0.78 of it for n = 4, 0.57 for 8, 0.49 for 16.
 pub fn cost_of_step(scene: &Scene) -> f64 {
     let steps = scene.solver.weakly_compressible().map_or(1, |fluid| fluid.scheme.acoustic_steps());
     match scene.solver.kind() {

@@ -3,6 +3,9 @@
 use crate::kernel::Shape;
 use crate::simd::SimdReal;
 
+/// Least r/h at which the bend of a kernel is taken [-]: it may be infinite at 0, where a particle meets itself without a share.
+const NEAREST: f64 = 1e-9;
+
 /// Numbers that every pair shares.
 #[derive(Clone, Copy, Debug)]
 pub struct PairConstants<R = f64> {
@@ -106,6 +109,15 @@ impl<R: SimdReal> PairGeometry<R> {
         let r = r2.sqrt();
         let q = r * size.inverse;
         PairGeometry { dx, dy, r2, r, q, size, grad_factor: size.gradient * K::dw_over_q(q) }
+    }
+
+    /// d/dt of `flux` ∇_a W_ab/`grad_factor` as the pair moves apart with a velocity [m/s] (WC23), where `flux` is `grad_factor` times `share`.
+    #[inline(always)]
+    pub(crate) fn gradient_rate<K: Shape>(&self, share: R, flux: R, [u, v]: [R; 2]) -> [R; 2] {
+        let bend = K::bend(self.q.max(self.q.of(NEAREST)));
+        let bend = share * self.size.gradient * self.size.inverse * self.size.inverse * bend;
+        let turn = bend * self.dx.mul_add(u, self.dy * v);
+        [flux.mul_add(u, turn * self.dx), flux.mul_add(v, turn * self.dy)]
     }
 
     /// W_ab [1/m²].

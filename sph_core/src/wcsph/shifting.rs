@@ -17,28 +17,34 @@ const MOST_SETTLING_SHIFTS: u32 = 60;
 /// split (WC21). `at_surface`: particles that see the surface are shifted too.
 pub(crate) fn even_out(system: &mut ParticleSystem, settings: &Settings, dt: f64) {
     let share = Share { settling: settings.settling, dt, all: false };
-    shift(system, settings.shifting_at_surface, LONGEST_SHIFT, |p, fields, k| share.of(p, fields, k));
+    shift(system, settings.shifting_at_surface, |p, fields, k| share.of(p, fields, k));
 }
 
-/// An advective step that has passed.
-pub(crate) struct Passed {
-    /// Its length [s].
-    pub dt: f64,
-    /// Its acoustic steps.
-    pub steps: f64,
-    /// The larger of the gains is its turn.
-    pub large: bool,
-}
+/// Longest shift in an advective step, in smoothing lengths.
+const LONGEST_ADVECTIVE_SHIFT: f64 = 0.16;
 
-/// WC26: the shift for an advective step, of one of two gains.
-pub(crate) fn even_out_advective(system: &mut ParticleSystem, settings: &Settings, passed: &Passed, gains: [f64; 2]) {
-    let &Passed { dt, steps, large } = passed;
-    let share = Share { settling: steps * settings.settling, dt, all: false };
-    let of = |p: &Particles, fields: &Fields, k: usize| {
-        let (wanted, small) = (share.of(p, fields, k), gains[0] * p.h[k]);
-        if large { (2.0 * wanted - small).clamp(small.min(wanted), gains[1] * p.h[k]) } else { wanted.min(small) }
-    };
-    shift(system, settings.shifting_at_surface, steps * LONGEST_SHIFT, of);
+/// WC26: the velocities [m/s] that shift particles over an advective step of `dt` [s] and as many acoustic `steps`, at most by `gain` h² ∇C.
+pub(crate) fn shift_velocities(
+    system: &ParticleSystem,
+    settings: &Settings,
+    (dt, steps): (f64, f64),
+    gain: f64,
+) -> [Vec<f64>; 2] {
+    let ParticleSystem { particles: p, fields, .. } = system;
+    let mut velocities = [vec![0.0; p.len()], vec![0.0; p.len()]];
+    if settings.shifting {
+        let share = Share { settling: steps * settings.settling, dt, all: false };
+        let longest = (steps * LONGEST_SHIFT).min(LONGEST_ADVECTIVE_SHIFT);
+        let [x, y] = &mut velocities;
+        parallel::each([x, y], |at, [x, y]| {
+            for (i, k) in at.enumerate() {
+                let share = share.of(p, fields, k).min(gain * p.h[k]);
+                [x[i], y[i]] =
+                    displacement(p, fields, k, [share, longest], settings.shifting_at_surface).map(|d| d / dt);
+            }
+        });
+    }
+    velocities
 }
 
 /// By how much particles are shifted.
@@ -65,27 +71,30 @@ impl Share {
     }
 }
 
-/// δr = −h `share` ∇C, at most `longest` h.
-fn shift(
-    system: &mut ParticleSystem,
-    at_surface: bool,
-    longest: f64,
-    share: impl Fn(&Particles, &Fields, usize) -> f64 + Sync,
-) {
+/// δr = −h `share` ∇C [m] of particle `k`, at most `longest` h.
+#[inline(always)]
+fn displacement(p: &Particles, fields: &Fields, k: usize, [share, longest]: [f64; 2], at_surface: bool) -> [f64; 2] {
+    let (h, moments) = (p.h[k], &fields.moments[k]);
+    let scale = -h * share;
+    let [dx, dy] = moments.concentration_gradient().map(|c| scale * c);
+    let (length, limit) = ((dx * dx + dy * dy).sqrt(), longest * h);
+    let shrink = if length > limit { limit / length } else { 1.0 };
+    let stays = moments.at_surface() || (fields.near_surface[k] && !at_surface);
+    let share = if stays { 0.0 } else { shrink };
+    [share * dx, share * dy]
+}
+
+/// Shift particles by δr = −h `share` ∇C, at most `LONGEST_SHIFT` h.
+fn shift(system: &mut ParticleSystem, at_surface: bool, share: impl Fn(&Particles, &Fields, usize) -> f64 + Sync) {
     let (p, fields) = (&mut system.particles, &system.fields);
     let [mut x, mut y] = [&mut p.x, &mut p.y].map(std::mem::take);
     let unmoved = &*p;
     parallel::each([&mut x, &mut y], |at, [x, y]| {
         for (i, k) in at.enumerate() {
-            let (h, moments) = (unmoved.h[k], &fields.moments[k]);
-            let scale = -h * share(unmoved, fields, k);
-            let [dx, dy] = moments.concentration_gradient().map(|c| scale * c);
-            let (length, limit) = ((dx * dx + dy * dy).sqrt(), longest * h);
-            let shrink = if length > limit { limit / length } else { 1.0 };
-            let stays = moments.at_surface() || (fields.near_surface[k] && !at_surface);
-            let share = if stays { 0.0 } else { shrink };
-            x[i] += share * dx;
-            y[i] += share * dy;
+            let share = share(unmoved, fields, k);
+            let [dx, dy] = displacement(unmoved, fields, k, [share, LONGEST_SHIFT], at_surface);
+            x[i] += dx;
+            y[i] += dy;
         }
     });
     (p.x, p.y) = (x, y);
@@ -121,7 +130,7 @@ fn shift_before_start(flow: &mut Flow<'_>, settling: f64, mut evaluate_forces: i
             return;
         }
         let share = Share { settling, dt: 0.0, all: true };
-        shift(flow.system, true, LONGEST_SHIFT, |p, fields, k| share.of(p, fields, k));
+        shift(flow.system, true, |p, fields, k| share.of(p, fields, k));
         evaluate_forces(flow);
         flow.system.neighbours.flag_surface(&mut flow.system.fields);
     }

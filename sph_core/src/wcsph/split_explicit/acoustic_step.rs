@@ -23,16 +23,20 @@ pub(super) fn kick(system: &mut ParticleSystem, rows: &mut [Row], dt: f64) {
     });
 }
 
-/// ρ' = ρ (2 + ε)/(2 − ε) with ε = δt (dρ/dt)/ρ, then p' = p(ρ') and x' = x + δt v½.
+/// ρ' = ρ (2 + ε)/(2 − ε) with ε = δt (dρ/dt)/ρ, then p' = p(ρ') and x' = x + δt (v½ + d).
 pub(super) struct Densities<'a, S> {
     pub pairs: &'a HeldPairs,
     pub walls: &'a HeldWalls,
     pub rows: &'a [Row],
     /// Share of each row of `walls` in −∇·v [1/s].
     pub closing: &'a [f64],
+    /// Velocities that shift the particles [m/s].
+    pub drift: &'a [Vec<f64>; 2],
     /// Factor of the diffusion's sum [s/m].
     pub diffusion: f64,
     pub dt: f64,
+    /// The time since the middle of the advective step [s].
+    pub later: f64,
     /// Density that particle k may have, and its pressure [Pa], of a density.
     pub state: S,
 }
@@ -61,19 +65,20 @@ impl<S: Fn(usize, f64) -> [f64; 2]> Task for DensitiesOf<'_, S> {
     #[inline(always)]
     fn run<R: SimdReal>(self, zero: R) {
         let DensitiesOf { all, c, rho, pressure: [pressure, shown], place: [x, y] } = self;
-        let Densities { pairs, walls, rows, closing, diffusion, dt, ref state } = *all;
+        let Densities { pairs, walls, rows, closing, drift, diffusion, dt, later, ref state } = *all;
         let (first, count) = (c * CHUNK, rho.len());
-        let mut rate = pairs.density_rate(zero, c, rows, rho, diffusion);
+        let mut rate = pairs.density_rate(zero, c, rows, rho, [diffusion, later]);
         for (row, k) in walls.near(first..first + count) {
             rate[k - first] += rho[k - first] * closing[row];
         }
+        let [drift_x, drift_y] = drift.each_ref().map(|of| &of[first..first + count]);
         for k in 0..count {
             let (twice, change) = (2.0 * rho[k], dt * rate[k]);
             let advanced = rho[k] * ((twice + change) / (twice - change));
             [rho[k], pressure[k]] = state(first + k, advanced);
             shown[k] = pressure[k];
-            x[k] += dt * rows[first + k].u;
-            y[k] += dt * rows[first + k].v;
+            x[k] += dt * (rows[first + k].u + drift_x[k]);
+            y[k] += dt * (rows[first + k].v + drift_y[k]);
         }
     }
 }
@@ -89,6 +94,8 @@ pub(super) struct Accelerations<'a> {
     /// [N/m]
     pub viscous: &'a [Vec<f64>; 2],
     pub dt: f64,
+    /// The time since the middle of the advective step [s].
+    pub later: f64,
 }
 
 impl Accelerations<'_> {
@@ -119,11 +126,11 @@ impl Task for AccelerationsOf<'_> {
     #[inline(always)]
     fn run<R: SimdReal>(self, zero: R) {
         let AccelerationsOf { all, c, g, mass, acceleration: [ax, ay], velocity: [u, v] } = self;
-        let Accelerations { pairs, walls, pressure, wall_pressure, viscous, dt } = *all;
+        let Accelerations { pairs, walls, pressure, wall_pressure, viscous, dt, later } = *all;
         let (first, count) = (c * CHUNK, mass.len());
-        let [mut fx, mut fy] = pairs.pressure_force(zero, c, pressure, count);
+        let [mut fx, mut fy] = pairs.pressure_force(zero, c, pressure, (count, later));
         for (row, k) in walls.near(first..first + count) {
-            let [x, y] = walls.push(row, pressure[k], wall_pressure);
+            let [x, y] = walls.push(row, pressure[k], wall_pressure, later);
             fx[k - first] += x;
             fy[k - first] += y;
         }

@@ -13,22 +13,30 @@ pub(super) struct AdvectiveStep {
     length: f64,
     /// How much of it has passed [s].
     pub elapsed: f64,
-    /// Acoustic steps that have passed.
-    pub passed: u32,
-    /// True for every second one.
-    pub even: bool,
+    /// Acoustic steps that it has.
+    steps: f64,
 }
 
 impl AdvectiveStep {
-    /// The next: of as many acoustic steps of `dt` [s] as fit in `longest` [s], at most `most` and at least one.
-    pub fn next(self, dt: f64, longest: f64, most: u32) -> AdvectiveStep {
+    /// Of as many acoustic steps of `dt` [s] as fit in `longest` [s], at most `most` and at least one.
+    pub fn new(dt: f64, longest: f64, most: u32) -> AdvectiveStep {
         let steps = (longest / dt).floor().clamp(1.0, f64::from(most.max(1)));
-        AdvectiveStep { length: steps * dt, elapsed: 0.0, passed: 0, even: !self.even }
+        AdvectiveStep { length: steps * dt, elapsed: 0.0, steps }
     }
 
     /// Its length [s].
     pub fn length(self) -> f64 {
         self.length
+    }
+
+    /// Its length [s] and its acoustic steps.
+    pub fn span(self) -> (f64, f64) {
+        (self.length, self.steps)
+    }
+
+    /// The time `later` [s], less that of its middle, in which the geometry is held [s].
+    pub fn after_middle(self, later: f64) -> f64 {
+        self.elapsed + later - 0.5 * self.length
     }
 
     /// True if an acoustic step of `dt` [s] does not belong to it any more, for the most part.
@@ -39,7 +47,6 @@ impl AdvectiveStep {
     /// An acoustic step of `dt` [s] has passed.
     pub fn elapse(&mut self, dt: f64) {
         self.elapsed += dt;
-        self.passed += 1;
     }
 }
 

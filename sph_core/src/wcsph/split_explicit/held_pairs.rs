@@ -39,7 +39,7 @@ pub(super) struct HeldChunk {
     pub diffusion: Vec<OfBlock>,
 }
 
-/// The sums of a target that no acoustic step changes.
+/// The sums of a target that no acoustic step changes; the rates are those of the start of the advective step.
 #[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 pub(super) struct Own {
     /// Σ V_a V_b ∇_a W_ab [m].
@@ -50,6 +50,10 @@ pub(super) struct Own {
     pub weight: f64,
     /// 1/V_a [1/m²].
     pub per_volume: f64,
+    /// Σ (v_a − v_b)·dS_ab/dt [m²/s²].
+    pub opening_rate: f64,
+    /// Σ (p_a + p_b) dS_ab/dt [N/(m s)].
+    pub push_rate: [f64; 2],
 }
 
 /// All pairs of fluid particles.
@@ -61,7 +65,7 @@ pub(super) struct HeldPairs {
 
 impl HeldPairs {
     /// WC3 + WC4 among the fluid: dρ/dt [kg/(m³ s)] of the targets of chunk `c`, which have the densities `rho`; `diffusion` is the factor
-    /// of the diffusion's sum [s/m].
+    /// of the diffusion's sum [s/m], `later` the time since the middle of the advective step [s].
     #[inline(always)]
     pub fn density_rate<R: SimdReal>(
         &self,
@@ -69,11 +73,11 @@ impl HeldPairs {
         c: usize,
         rows: &[Row],
         rho: &[f64],
-        diffusion: f64,
+        [diffusion, later]: [f64; 2],
     ) -> [f64; CHUNK] {
         match self.chunks[c].diffusion.is_empty() {
-            true => self.density_rate_with::<R, false>(zero, c, rows, rho, diffusion),
-            false => self.density_rate_with::<R, true>(zero, c, rows, rho, diffusion),
+            true => self.density_rate_with::<R, false>(zero, c, rows, rho, [diffusion, later]),
+            false => self.density_rate_with::<R, true>(zero, c, rows, rho, [diffusion, later]),
         }
     }
 
@@ -84,7 +88,7 @@ impl HeldPairs {
         c: usize,
         rows: &[Row],
         rho: &[f64],
-        diffusion: f64,
+        [diffusion, later]: [f64; 2],
     ) -> [f64; CHUNK] {
         let mut rate = [0.0; CHUNK];
         for (b, (rate, rho)) in rate.chunks_mut(BLOCK).zip(rho.chunks(BLOCK)).enumerate() {
@@ -102,7 +106,8 @@ impl HeldPairs {
             let [along_x, along_y, smoothed] = [along_x, along_y, smoothed].map(of_targets);
             for (k, (rate, rho)) in rate.iter_mut().zip(rho).enumerate() {
                 let (a, own) = (&rows[first + k], &self.own[first + k]);
-                let divergence = own.gradient[0] * a.u - along_x[k] + (own.gradient[1] * a.v - along_y[k]);
+                let held = own.gradient[0] * a.u - along_x[k] + (own.gradient[1] * a.v - along_y[k]);
+                let divergence = held + later * own.opening_rate;
                 let excess = smoothed[k] - own.diffusion * a.p + own.weight;
                 *rate = (rho * divergence - diffusion * excess) * own.per_volume;
             }
@@ -110,9 +115,16 @@ impl HeldPairs {
         rate
     }
 
-    /// WC5 among the fluid: force [N/m] on the `count` targets of chunk `c`, of pressures `p` [Pa] of particles and images.
+    /// WC5 among the fluid: force [N/m] on the `count` targets of chunk `c`, of pressures `p` [Pa] of particles and images, `later` [s] than the
+    /// middle of the advective step.
     #[inline(always)]
-    pub fn pressure_force<R: SimdReal>(&self, zero: R, c: usize, p: &[f64], count: usize) -> [[f64; CHUNK]; 2] {
+    pub fn pressure_force<R: SimdReal>(
+        &self,
+        zero: R,
+        c: usize,
+        p: &[f64],
+        (count, later): (usize, f64),
+    ) -> [[f64; CHUNK]; 2] {
         let mut force = [[0.0; CHUNK]; 2];
         for b in 0..count.div_ceil(BLOCK) {
             let (mut fx, mut fy) = ([zero; BLOCK], [zero; BLOCK]);
@@ -128,8 +140,8 @@ impl HeldPairs {
             for k in 0..BLOCK.min(count - b * BLOCK) {
                 let at = c * CHUNK + b * BLOCK + k;
                 let own = &self.own[at];
-                force[0][b * BLOCK + k] = -(p[at] * own.gradient[0] + fx[k]);
-                force[1][b * BLOCK + k] = -(p[at] * own.gradient[1] + fy[k]);
+                force[0][b * BLOCK + k] = -(p[at] * own.gradient[0] + fx[k] + later * own.push_rate[0]);
+                force[1][b * BLOCK + k] = -(p[at] * own.gradient[1] + fy[k] + later * own.push_rate[1]);
             }
         }
         force

@@ -12,22 +12,23 @@ use crate::neighbours::lists::Lists;
 use crate::parallel::{self, CHUNK};
 use crate::simd::{LANES, SimdReal, Task};
 
-/// Take the geometry of the packed particles.
+/// Take the geometry of the packed particles, which `drift` [m/s] besides moving as the water does (WC26).
 pub(super) fn hold(
     HeldPairs { chunks, own }: &mut HeldPairs,
     (kernel, dissipation, simd): (Kernel, Dissipation, bool),
-    fluid: &[PackedParticle],
+    (fluid, drift): (&[PackedParticle], &[[f64; 2]]),
     lists: &Lists,
     constants: PairConstants,
 ) {
     let n = lists.targets();
     chunks.resize(n.div_ceil(CHUNK), HeldChunk::default());
     own.resize(n, Own::default());
-    with_pairs(kernel, dissipation, Hold { fluid, lists, constants, simd, chunks, own });
+    with_pairs(kernel, dissipation, Hold { fluid, drift, lists, constants, simd, chunks, own });
 }
 
 struct Hold<'a> {
     fluid: &'a [PackedParticle],
+    drift: &'a [[f64; 2]],
     lists: &'a Lists,
     constants: PairConstants,
     simd: bool,
@@ -37,12 +38,13 @@ struct Hold<'a> {
 
 impl WithPairs for Hold<'_> {
     fn with<K: Shape, D: PairDissipation>(self) {
-        let Hold { fluid, lists, constants, simd, chunks, own } = self;
+        let Hold { fluid, drift, lists, constants, simd, chunks, own } = self;
         let pieces: Vec<_> = chunks.iter_mut().zip(own.chunks_mut(CHUNK)).collect();
         parallel::each_piece(pieces, |c, (held, own)| {
             let (first, pairs) = (c * CHUNK, PhantomData);
             let candidates = Candidates::of(lists, first, own.len(), |k| fluid[k].h);
-            kernel::run_sums::<K, _>(simd, HoldChunk::<K, D> { fluid, constants, first, candidates, held, own, pairs });
+            let chunk = HoldChunk::<K, D> { fluid, drift, constants, first, candidates, held, own, pairs };
+            kernel::run_sums::<K, _>(simd, chunk);
         });
     }
 }
@@ -87,6 +89,7 @@ impl Candidates {
 
 struct HoldChunk<'a, K, D> {
     fluid: &'a [PackedParticle],
+    drift: &'a [[f64; 2]],
     constants: PairConstants,
     first: usize,
     candidates: Candidates,
@@ -99,21 +102,25 @@ impl<K: Shape, D: PairDissipation> Task for HoldChunk<'_, K, D> {
     type Out = ();
     #[inline(always)]
     fn run<R: SimdReal>(self, zero: R) {
-        let HoldChunk { fluid, constants, first, candidates: Candidates { start, found, alike }, held, own, .. } = self;
+        let HoldChunk { fluid, drift, constants, first, candidates, held, own, .. } = self;
+        let Candidates { start, found, alike } = candidates;
         let weight = constants.gravity.map(|g| zero.of(constants.rho0 * g));
         held.clear(found.len(), !D::LENGTH_IS_DISTANCE);
         let mut kept = 0;
         for (b, own) in own.chunks_mut(BLOCK).enumerate() {
-            let targets: [PackedParticle<R>; BLOCK] = std::array::from_fn(|l| {
-                PackedParticle::targets(fluid, first + b * BLOCK + (l * R::WIDTH).min(BLOCK - R::WIDTH), zero)
-            });
+            let at = |l: usize| first + b * BLOCK + (l * R::WIDTH).min(BLOCK - R::WIDTH);
+            let targets: [PackedParticle<R>; BLOCK] =
+                std::array::from_fn(|l| PackedParticle::targets(fluid, at(l), zero));
+            let drifts: [[R; 2]; BLOCK] =
+                std::array::from_fn(|l| [0, 1].map(|i| zero.each(|k| drift[(at(l) + k).min(drift.len() - 1)][i])));
             let mut uniform = [MeanScale.of::<K>(targets[0].h, targets[0].h); BLOCK];
             for l in 0..BLOCK / R::WIDTH {
                 uniform[l] = MeanScale.of::<K>(targets[l].h, targets[l].h);
             }
             let mut sums = [[zero; 4]; BLOCK];
+            let mut rates = [[zero; 3]; BLOCK];
             for &(j, meets) in &found[start[b] as usize..start[b + 1] as usize] {
-                let row = &fluid[j as usize];
+                let (row, [drift_x, drift_y]) = (&fluid[j as usize], drift[j as usize]);
                 let (mut gradient, mut diffusion) = ([OfBlock::default(); 2], OfBlock::default());
                 let mut offsets = [[zero; 2]; BLOCK];
                 for l in 0..BLOCK / R::WIDTH {
@@ -121,7 +128,15 @@ impl<K: Shape, D: PairDissipation> Task for HoldChunk<'_, K, D> {
                     let (dx, dy) = (a.x - zero.of(row.x), a.y - zero.of(row.y));
                     let size = if alike[b] { uniform[l] } else { MeanScale.of::<K>(a.h, zero.of(row.h)) };
                     let ab = PairGeometry::new::<K>(dx, dy, size);
-                    let flux = (a.volume * zero.of(row.volume) * ab.grad_factor).mask(u32::from(meets) >> lane);
+                    let share = (a.volume * zero.of(row.volume)).mask(u32::from(meets) >> lane);
+                    let flux = share * ab.grad_factor;
+                    let apart = [a.u - zero.of(row.u), a.v - zero.of(row.v)];
+                    let moving =
+                        [drifts[l][0] - zero.of(drift_x) + apart[0], drifts[l][1] - zero.of(drift_y) + apart[1]];
+                    let [rate_x, rate_y] = ab.gradient_rate::<K>(share, flux, moving);
+                    let (both, [opening, push_x, push_y]) = (a.p + zero.of(row.p), rates[l]);
+                    let opening = apart[0].mul_add(rate_x, apart[1].mul_add(rate_y, opening));
+                    rates[l] = [opening, both.mul_add(rate_x, push_x), both.mul_add(rate_y, push_y)];
                     let (x, y) = ((flux * dx).to_single(), (flux * dy).to_single());
                     gradient[0].0[lane..lane + R::WIDTH].copy_from_slice(&x[..R::WIDTH]);
                     gradient[1].0[lane..lane + R::WIDTH].copy_from_slice(&y[..R::WIDTH]);
@@ -150,10 +165,12 @@ impl<K: Shape, D: PairDissipation> Task for HoldChunk<'_, K, D> {
             }
             held.start.push(kept as u32);
             let sums: [[f64; BLOCK]; 4] = std::array::from_fn(|i| of_targets(sums.map(|sum| sum[i])));
+            let rates: [[f64; BLOCK]; 3] = std::array::from_fn(|i| of_targets(rates.map(|rate| rate[i])));
             for (k, own) in own.iter_mut().enumerate() {
                 let per_volume = 1.0 / fluid[first + b * BLOCK + k].volume;
-                let [x, y, d, w] = sums.map(|of| of[k]);
-                *own = Own { gradient: [x, y], diffusion: d, weight: w, per_volume };
+                let ([x, y, d, w], [opening_rate, push_x, push_y]) = (sums.map(|of| of[k]), rates.map(|of| of[k]));
+                let push_rate = [push_x, push_y];
+                *own = Own { gradient: [x, y], diffusion: d, weight: w, per_volume, opening_rate, push_rate };
             }
         }
         held.truncate(kept);

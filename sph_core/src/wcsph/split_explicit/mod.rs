@@ -4,7 +4,7 @@
 //! are found once per advective step; each acoustic step is two sparse products with the weights held. Atmospheric models split
 //! sound from flow likewise (Klemp & Wilhelmson 1978, Wicker & Skamarock 2002).
 //!
-//! Read in this order: `SplitExplicit::advance`, `SplitExplicit::hold_geometry`, `advective`, `acoustic_step`, `held_pairs`, `held_walls`, `hold`.
+//! Read in this order: `SplitExplicit::advance`, `SplitExplicit::hold_geometry`, `advective`, `acoustic_step`, `held_pairs`, `held_walls`, `hold`, `hold_walls`.
 
 mod acoustic_step;
 mod advective;
@@ -12,7 +12,8 @@ mod entry_index;
 mod held_pairs;
 mod held_walls;
 mod hold;
-mod shift_gains;
+mod hold_walls;
+mod shift_gain;
 
 use std::sync::Arc;
 
@@ -22,9 +23,9 @@ use held_pairs::{HeldPairs, Row};
 use held_walls::HeldWalls;
 use hold::hold;
 use serde::{Deserialize, Serialize};
-use shift_gains::shift_gains;
+use shift_gain::shift_gain;
 
-use super::shifting::{Passed, even_out_advective};
+use super::shifting::shift_velocities;
 use super::{Settings, Wcsph};
 use crate::domain::Domain;
 use crate::error::Breakdown;
@@ -52,8 +53,8 @@ const WIDE_SKIN: f64 = 0.08;
 pub struct SplitExplicit {
     /// Equation of state, settings and terms.
     base: Wcsph,
-    /// The two factors of the shift, used in alternate advective steps (WC26) [-].
-    gains: [f64; 2],
+    /// Largest share of h² ∇C by which particles are shifted in an advective step (WC26) [-].
+    gain: f64,
     advective: AdvectiveStep,
     /// Shared with the states saved since it was held.
     held: Arc<HeldGeometry>,
@@ -68,6 +69,8 @@ pub struct SplitExplicit {
 struct HeldGeometry {
     pairs: HeldPairs,
     walls: HeldWalls,
+    /// Velocities that shift the particles (WC26) [m/s].
+    drift: [Vec<f64>; 2],
     /// Viscous forces on the fluid, and those that keep graded water at rest (WC28) [N/m].
     viscous: [Vec<f64>; 2],
     /// Viscous forces on the walls [N/m].
@@ -96,7 +99,7 @@ impl SplitExplicit {
     pub fn new(domain: &Domain, settings: Settings) -> SplitExplicit {
         SplitExplicit {
             base: Wcsph::new(domain, settings),
-            gains: shift_gains(domain.fluid.kernel, domain.fluid.smoothing_ratio),
+            gain: shift_gain(domain.fluid.kernel, domain.fluid.smoothing_ratio),
             advective: AdvectiveStep::default(),
             held: Arc::default(),
             rows: Vec::new(),
@@ -114,24 +117,19 @@ impl SplitExplicit {
         self.kick(flow.system, half); //                v½ = v + ½δt a
         self.advance_densities(flow, dt); //            ρ' = ρ (2 + ε)/(2 − ε), ε = δt (dρ/dt)/ρ of (v½, p); p' = p(ρ'); x' = x + δt v½
         flow.walls.start_mean_force(dt); //             ½F, where the walls were at the start
-        self.evaluate_walls(flow); //                   F' of p'
-        self.accelerate(flow, half); //                 a' of p'; v' = v½ + ½δt a'
+        self.evaluate_walls(flow, dt); //                   F' of p'
+        self.accelerate(flow, half, dt); //                 a' of p'; v' = v½ + ½δt a'
         flow.walls.finish_mean_force(); //              F̄ = ½(F + F')
         self.advective.elapse(dt);
     }
 
-    /// WC23: shift for the advective step that ended, choose the length of the next, and hold the geometry of its middle; the walls'
-    /// kinematics are those of the end of its first acoustic step `dt` [s].
+    /// WC23: choose the length of the next advective step and hold the geometry of its middle; the walls' kinematics are those of the end of
+    /// its first acoustic step `dt` [s].
     fn begin_advective_step(&mut self, flow: &mut Flow<'_>, dt: f64) {
         let settings = self.base.settings;
-        let length = settings.advective_limit * self.longest_advective_step(flow);
-        if settings.shifting {
-            let AdvectiveStep { elapsed, passed, even, .. } = self.advective;
-            let passed = Passed { dt: elapsed, steps: f64::from(passed), large: even };
-            even_out_advective(flow.system, &settings, &passed, self.gains);
-        }
+        let longest = settings.advective_limit * self.longest_advective_step(flow);
         flow.system.fold(|_| {});
-        self.advective = self.advective.next(dt, length, settings.acoustic_steps());
+        self.advective = AdvectiveStep::new(dt, longest, settings.acoustic_steps());
         self.hold_geometry(flow, 0.5 * self.advective.length(), dt);
     }
 
@@ -165,10 +163,14 @@ impl SplitExplicit {
         let mut held = Arc::get_mut(&mut self.held).map(std::mem::take).unwrap_or_default();
         held.viscous_forces(system, walls, &self.base.terms(system));
         system.timers.begin(Phase::Pack);
+        held.drift = shift_velocities(system, &self.base.settings, self.advective.span(), self.gain);
+        system.packed.set_pressures(&system.fields, &system.neighbours);
+        let drift = drift_packed(system, &held.drift, ahead);
         let (constants, d) = (self.base.constants(system), self.base.settings.dissipation);
         let ParticleSystem { packed, neighbours, domain, .. } = &*system;
-        hold(&mut held.pairs, (domain.fluid.kernel, d, domain.simd), &packed.fluid, &neighbours.fluid, constants);
-        held.walls.hold(system, walls, constants);
+        let fluid = (&packed.fluid[..], &drift[..]);
+        hold(&mut held.pairs, (domain.fluid.kernel, d, domain.simd), fluid, &neighbours.fluid, constants);
+        held.walls.hold(system, walls, &drift, constants);
         self.held = Arc::new(held);
     }
 
@@ -177,8 +179,8 @@ impl SplitExplicit {
     fn accelerate_again(&mut self, flow: &mut Flow<'_>) {
         self.kick(flow.system, 0.0); // the rows of the particles and images of now
         self.pressure.iter_mut().zip(&self.rows).for_each(|(p, row)| *p = row.p);
-        self.evaluate_walls(flow);
-        self.accelerate(flow, 0.0);
+        self.evaluate_walls(flow, 0.0);
+        self.accelerate(flow, 0.0, 0.0);
     }
 
     /// v ← v + Δt a; the particles and their images show it to their neighbours.
@@ -201,29 +203,32 @@ impl SplitExplicit {
         let Flow { system, walls, .. } = flow;
         system.timers.begin(Phase::Density);
         let diffusion = diffusion_factor(self.base.settings.dissipation, &self.base.constants(system));
-        let HeldGeometry { pairs, walls: held_walls, .. } = &*self.held;
+        let HeldGeometry { pairs, walls: held_walls, drift, .. } = &*self.held;
         let (n, rows, wall_state) = (system.particles.len(), &self.rows, &system.wall_state);
-        let closing = held_walls.closing(rows, walls, |w| wall_state[w].velocity);
+        let later = self.advective.after_middle(0.5 * dt);
+        let closing = held_walls.closing(rows, walls, |w| wall_state[w].velocity, later);
         let (own, of_images) = self.pressure.split_at_mut(n);
         let Fields { moments, near_surface, pressure, .. } = &mut system.fields;
         let law = self.base.pressure_law();
         let state = |k: usize, rho: f64| law.state(rho, &moments[k], near_surface[k]);
-        let densities = Densities { pairs, walls: held_walls, rows, closing: &closing, diffusion, dt, state };
+        let densities =
+            Densities { pairs, walls: held_walls, rows, closing: &closing, drift, diffusion, dt, later, state };
         densities.advance(&mut system.particles, pressure, own, system.domain.simd);
         for (p, &source) in of_images.iter_mut().zip(&system.neighbours.fluid_images) {
             *p = own[source as usize];
         }
     }
 
-    /// WA3, WA6: pressures of the walls and forces on them, with the geometry held.
-    fn evaluate_walls(&mut self, flow: &mut Flow<'_>) {
+    /// WA3, WA6: pressures of the walls and forces on them, with the geometry held, `passed` [s] after the start of the acoustic step.
+    fn evaluate_walls(&mut self, flow: &mut Flow<'_>, passed: f64) {
         let Flow { system, walls, interfaces } = flow;
         system.timers.begin(Phase::Walls);
         let (g, rho0) = (system.domain.gravity, system.domain.fluid.density);
+        let later = self.advective.after_middle(passed);
         let HeldGeometry { walls: held, viscous_on_walls: [vx, vy], .. } = &*self.held;
         for w in 0..walls.len() {
-            let p = held.pressure(w, &self.pressure, [g[0] - walls.ax[w], g[1] - walls.ay[w]], rho0);
-            let [x, y] = held.force(w, &self.pressure, p);
+            let p = held.pressure(w, &self.pressure, [g[0] - walls.ax[w], g[1] - walls.ay[w]], (rho0, later));
+            let [x, y] = held.force(w, &self.pressure, p, later);
             (walls.pressure[w], walls.fx[w], walls.fy[w]) = (p, x + vx[w], y + vy[w]);
             system.wall_state[w].pressure = p;
             if self.base.settings.wall_stretch {
@@ -237,13 +242,27 @@ impl SplitExplicit {
         }
     }
 
-    /// WC5 with the geometry held, and the viscous forces held; v ← v + Δt a.
-    fn accelerate(&mut self, flow: &mut Flow<'_>, dt: f64) {
+    /// WC5 with the geometry held, and the viscous forces held, `passed` [s] after the start of the acoustic step; v ← v + Δt a.
+    fn accelerate(&mut self, flow: &mut Flow<'_>, dt: f64, passed: f64) {
+        let later = self.advective.after_middle(passed);
         flow.system.timers.begin(Phase::Momentum);
         let HeldGeometry { pairs, walls, viscous, .. } = &*self.held;
         let wall_pressure = &flow.walls.pressure;
-        Accelerations { pairs, walls, pressure: &self.pressure, wall_pressure, viscous, dt }.evaluate(flow.system);
+        Accelerations { pairs, walls, pressure: &self.pressure, wall_pressure, viscous, dt, later }
+            .evaluate(flow.system);
     }
+}
+
+/// WC26: move the packed particles on by what the `drift` [m/s] shifts them `ahead` [s], and give the drift of each of them and of their images.
+fn drift_packed(system: &mut ParticleSystem, drift: &[Vec<f64>; 2], ahead: f64) -> Vec<[f64; 2]> {
+    let (neighbours, fluid) = (&system.neighbours, &mut system.packed.fluid);
+    let side = if neighbours.fluid_shifts.is_empty() { -1.0 } else { 1.0 };
+    let of = |k: usize| [drift[0][k], drift[1][k]];
+    let of_image = |source: &u32| [side * of(*source as usize)[0], of(*source as usize)[1]];
+    let drifts: Vec<[f64; 2]> =
+        (0..drift[0].len()).map(of).chain(neighbours.fluid_images.iter().map(of_image)).collect();
+    parallel::update(fluid, |k, row| [row.x, row.y] = [row.x + ahead * drifts[k][0], row.y + ahead * drifts[k][1]]);
+    drifts
 }
 
 /// x ← x + Δt v + ½Δt² a for Δt of either sign and the present v and a.
@@ -308,8 +327,8 @@ impl Scheme for SplitExplicit {
     }
 
     fn bytes(&self) -> usize {
-        let HeldGeometry { pairs, walls, viscous: [x, y], viscous_on_walls: [wx, wy] } = &*self.held;
-        let vectors = [x, y, wx, wy].map(of_vector).iter().sum::<usize>();
+        let HeldGeometry { pairs, walls, drift: [dx, dy], viscous: [x, y], viscous_on_walls: [wx, wy] } = &*self.held;
+        let vectors = [dx, dy, x, y, wx, wy].map(of_vector).iter().sum::<usize>();
         self.base.bytes() + pairs.bytes() + walls.bytes() + vectors + of_vector(&self.rows) + of_vector(&self.pressure)
     }
 }
