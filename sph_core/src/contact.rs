@@ -1,6 +1,8 @@
 //! Contact of single fluid particles with a wall's surface (THEORY WA7): particles near a wall are found here, the wall's owner
 //! tells its surface there, and the particle is put back on it.
 
+use std::ops::Range;
+
 use crate::parallel;
 use crate::system::ParticleSystem;
 use crate::walls::Walls;
@@ -65,7 +67,10 @@ pub(crate) fn resolve(
 /// Fluid particles that may be beyond a wall's surface, in the order of the particles.
 pub(crate) fn candidates(system: &ParticleSystem, walls: &Walls) -> Vec<usize> {
     let near = |k: &usize| height_over_nearest(system, *k, walls) < CANDIDATE;
-    parallel::by_chunk(system.particles.len(), |targets| targets.filter(near).collect::<Vec<usize>>()).concat()
+    let beside = |targets: &Range<usize>| system.neighbours.walls_of_fluid.any_of_chunk(targets.start);
+    let of_chunk =
+        |targets: Range<usize>| Some(targets).filter(beside).into_iter().flatten().filter(near).collect::<Vec<usize>>();
+    parallel::by_chunk(system.particles.len(), of_chunk).concat()
 }
 
 /// Height over the nearest wall particle along its normal, in wall spacings; infinity far from walls.

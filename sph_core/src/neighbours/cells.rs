@@ -93,18 +93,24 @@ impl Cells {
         self.travel
     }
 
+    /// Of each level with points beside a plane of symmetry at `plane` [m], how far it reaches [m] and the box of those points: no point that
+    /// reaches `farthest` [m] at most meets others from behind the plane.
+    pub(super) fn beside(&self, plane: f64, farthest: f64) -> Vec<(f64, Extent)> {
+        let of_level = |level: &Level| {
+            let [first, end] =
+                [level.first, level.first + level.columns * level.rows].map(|cell| self.start[cell] as usize);
+            let near = |p: &&Point| p.x - plane < farthest + level.widest;
+            (level.widest, Extent::of(self.points[first..end].iter().filter(near)))
+        };
+        self.levels.iter().map(of_level).filter(|(_, extent)| extent.count > 0).collect()
+    }
+
     /// True if `at` may meet any point.
     pub(crate) fn any_meets(&self, at: &Point) -> bool {
         self.levels.iter().any(|level| {
             let cut = at.farthest() + level.widest;
-            let rows = level.span(0, at.x, at.x, cut).and_then(|_| level.span(1, at.y, at.y, cut));
-            rows.is_some_and(|[r0, r1]| {
-                let meets = |row| {
-                    let run = level.run_within(&self.start, row, [at.x; 2], [at.y; 2], cut);
-                    self.points[run].iter().any(|p| at.meets(p))
-                };
-                (r0..=r1).any(meets)
-            })
+            let near = level.runs_within(&self.start, [at.x; 2], [at.y; 2], cut);
+            near.into_iter().flatten().any(|run| self.points[run].iter().any(|p| at.meets(p)))
         })
     }
 
@@ -122,14 +128,12 @@ impl Cells {
         let all = Extent::of(at);
         for level in &self.levels {
             let cut = all.farthest + level.widest;
-            let Some([r0, r1]) = level.span(1, all.lo[1], all.hi[1], cut) else { continue };
             if all.hi[0] - all.lo[0] > cut {
                 self.for_each_joined_run(level, at, &mut found);
                 continue;
             }
-            for row in r0..=r1 {
-                found(level.run_within(&self.start, row, [all.lo[0], all.hi[0]], [all.lo[1], all.hi[1]], cut));
-            }
+            let near = level.runs_within(&self.start, [all.lo[0], all.hi[0]], [all.lo[1], all.hi[1]], cut);
+            near.into_iter().flatten().for_each(&mut found);
         }
     }
 

@@ -1,6 +1,7 @@
 //! The images of particles that have a neighbour in front of a plane of symmetry, or in the periodic cell (THEORY OP8, OP9).
 
 use crate::neighbours::cells::{Cells, Point};
+use crate::neighbours::levels::Extent;
 use crate::parallel;
 use crate::planes::{Mirror, Periodic};
 
@@ -27,6 +28,15 @@ impl Planes {
     /// True if there are any.
     pub fn exist(&self) -> bool {
         self.mirror.is_some() || self.periodic.is_some()
+    }
+
+    /// Whether an image, which reaches `farthest` [m] at most, meets a point of `cells`.
+    pub fn meets<'a>(&self, cells: &'a Cells, farthest: f64) -> impl Fn(&Point) -> bool + Sync + use<'a> {
+        let beside = self.mirror.map(|mirror| cells.beside(mirror.at, farthest));
+        move |image| {
+            let is_near = |(reach, points): &(f64, Extent)| points.is_near(image, image.farthest() + reach);
+            beside.as_ref().is_none_or(|levels| levels.iter().any(is_near)) && cells.any_meets(image)
+        }
     }
 
     /// The images of `points` that are `needed`, in order; no point reaches farther than `farthest` [m].

@@ -58,8 +58,15 @@ impl Extent {
     }
 
     #[inline(always)]
-    pub fn of(points: &[Point]) -> Extent {
-        points.iter().fold(Extent::NONE, Extent::with)
+    pub fn of<'a>(points: impl IntoIterator<Item = &'a Point>) -> Extent {
+        points.into_iter().fold(Extent::NONE, Extent::with)
+    }
+
+    /// True if a point is within `cut` of the box along both axes.
+    #[inline(always)]
+    pub fn is_near(&self, p: &Point, cut: f64) -> bool {
+        let within = |k: usize, place: f64| place + cut >= self.lo[k] && place - cut <= self.hi[k];
+        within(0, p.x) && within(1, p.y)
     }
 }
 
@@ -164,14 +171,26 @@ impl Level {
         of(c0)..of(c1 + 1)
     }
 
-    /// Points of a row that may be within `cut` of a box: cells as far to its sides as the row's distance from the box leaves.
+    /// Points of each row that may be within `cut` of a box: cells as far to its sides as the row's distance from the box leaves. Rows
+    /// without points there are left out.
     #[inline(always)]
-    pub fn run_within(&self, start: &[u32], row: usize, x: [f64; 2], y: [f64; 2], cut: f64) -> Range<usize> {
+    pub fn runs_within(
+        &self,
+        start: &[u32],
+        x: [f64; 2],
+        y: [f64; 2],
+        cut: f64,
+    ) -> Option<impl Iterator<Item = Range<usize>>> {
+        let columns = self.span(0, x[0], x[1], cut)?;
+        let [r0, r1] = self.span(1, y[0], y[1], cut)?;
         let height = 1.0 / self.inverse[1];
-        let below = self.origin[1] + row as f64 * height;
-        let off = (below - y[1]).max(y[0] - (below + height)).max(0.0);
-        let beside = (cut * cut - off * off).max(0.0).sqrt();
-        self.span(0, x[0], x[1], beside).map_or(0..0, |columns| self.run(start, row, columns))
+        let rows = (r0..=r1).filter(move |row| !self.run(start, *row, columns).is_empty());
+        Some(rows.filter_map(move |row| {
+            let below = self.origin[1] + row as f64 * height;
+            let off = (below - y[1]).max(y[0] - (below + height)).max(0.0);
+            let beside = (cut * cut - off * off).max(0.0).sqrt();
+            self.span(0, x[0], x[1], beside).map(|columns| self.run(start, row, columns))
+        }))
     }
 
     /// Cells of one axis that [from − cut, to + cut] touches: columns (0) or rows (1).

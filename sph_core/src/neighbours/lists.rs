@@ -126,6 +126,11 @@ impl Lists {
         self.chunks.get(k / CHUNK).map_or(&[], |list| list.entries.of(k % CHUNK / LANES))
     }
 
+    /// True if any target of the chunk that begins with `first` has a neighbour.
+    pub(crate) fn any_of_chunk(&self, first: usize) -> bool {
+        self.chunks.get(first / CHUNK).is_some_and(|list| !list.entries.found.is_empty())
+    }
+
     /// Neighbours of target `k`, itself not among them, in a fixed order.
     #[inline(always)]
     pub fn of(&self, k: usize) -> impl Iterator<Item = u32> + Clone {

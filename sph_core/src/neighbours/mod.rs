@@ -204,11 +204,15 @@ impl Neighbours {
             return;
         }
         let farthest = [&*fluid, &*wall, mirror_points].map(Cells::farthest).into_iter().fold(0.0, f64::max);
-        let of_fluid = planes.images(fluid.points(), farthest, |p| {
-            let source = &fluid.points()[p.index as usize];
-            source.meets(p) || fluid.any_meets(p) || wall.any_meets(p) || mirror_points.any_meets(p)
-        });
-        let of_wall = planes.images(wall.points(), farthest, |p| fluid.any_meets(p));
+        let [of_fluid, of_wall] = {
+            let [meets_fluid, meets_wall, meets_mirror_point] =
+                [&*fluid, &*wall, mirror_points].map(|cells| planes.meets(cells, farthest));
+            let of_fluid = planes.images(fluid.points(), farthest, |p| {
+                let source = &fluid.points()[p.index as usize];
+                source.meets(p) || meets_fluid(p) || meets_wall(p) || meets_mirror_point(p)
+            });
+            [of_fluid, planes.images(wall.points(), farthest, meets_fluid)]
+        };
         planes.append(&of_fluid, fluid, fluid_images, fluid_shifts);
         planes.append(&of_wall, wall, wall_images, wall_shifts);
     }

@@ -1,8 +1,11 @@
 //! The largest stable step (THEORY WC12).
 
+use std::ops::Range;
+
 use crate::error::Breakdown;
 use crate::neighbours::SKIN;
 use crate::parallel;
+use crate::simd::{self, SimdReal, Task};
 use crate::system::ParticleSystem;
 use crate::walls::Walls;
 
@@ -29,27 +32,65 @@ struct Bounds {
 impl Bounds {
     const NONE: Bounds = Bounds { acoustic: f64::INFINITY, force: f64::INFINITY, h: f64::INFINITY };
 
-    #[inline(always)]
-    fn of(cfl: f64, c: f64, h: f64, [u, v]: [f64; 2], [ax, ay]: [f64; 2]) -> Bounds {
-        let (speed, acceleration) = ((u * u + v * v).sqrt(), (ax * ax + ay * ay).sqrt());
-        Bounds { acoustic: cfl * h / (c + speed), force: h / acceleration, h }
+    fn of([acoustic, force, h]: [f64; 3]) -> Bounds {
+        Bounds { acoustic, force, h }
     }
 
     #[inline(always)]
-    fn min(self, other: Bounds) -> Bounds {
-        let (acoustic, force) = (self.acoustic.min(other.acoustic), self.force.min(other.force));
-        Bounds { acoustic, force, h: self.h.min(other.h) }
-    }
-
-    /// The least of `n`.
-    fn least(n: usize, of: impl Fn(usize) -> Bounds + Sync) -> Bounds {
-        let chunks = parallel::by_chunk(n, |targets| targets.map(&of).fold(Bounds::NONE, Bounds::min));
-        chunks.into_iter().fold(Bounds::NONE, Bounds::min)
+    fn and(self, other: Bounds) -> Bounds {
+        let less = |a: f64, b: f64| if b < a { b } else { a };
+        let (acoustic, force) = (less(self.acoustic, other.acoustic), less(self.force, other.force));
+        Bounds { acoustic, force, h: less(self.h, other.h) }
     }
 
     /// The step [s] (WC12).
     fn dt(self, nu: f64) -> f64 {
         self.acoustic.min(FORCE * self.force.sqrt()).min(VISCOUS * self.h * self.h / nu)
+    }
+}
+
+/// What moves: smoothing length [m], velocity [m/s], acceleration [m/s²] of each.
+#[derive(Clone, Copy)]
+struct Moving<'a>([&'a [f64]; 5]);
+
+impl Moving<'_> {
+    /// The least bounds of all, where the speed of sound is `c` [m/s].
+    fn least(self, cfl: f64, c: impl Fn(usize) -> f64 + Sync) -> Bounds {
+        let of_chunk = |at: Range<usize>| simd::run(true, LeastOf { of: self, at, cfl, c: &c });
+        parallel::by_chunk(self.0[0].len(), of_chunk).into_iter().fold(Bounds::NONE, Bounds::and)
+    }
+
+    /// What bounds the step of those from `first` on that an `R` holds.
+    #[inline(always)]
+    fn bounds<R: SimdReal>(self, zero: R, cfl: f64, c: impl Fn(usize) -> f64, first: usize) -> [R; 3] {
+        let [h, u, v, ax, ay] = self.0.map(|of| zero.each(|k| of[first + k]));
+        let (speed, acceleration) = ((u * u + v * v).sqrt(), (ax * ax + ay * ay).sqrt());
+        [zero.of(cfl) * h / (zero.each(|k| c(first + k)) + speed), h / acceleration, h]
+    }
+}
+
+/// The least bounds of a chunk.
+struct LeastOf<'a, C> {
+    of: Moving<'a>,
+    at: Range<usize>,
+    cfl: f64,
+    c: &'a C,
+}
+
+impl<C: Fn(usize) -> f64> Task for LeastOf<'_, C> {
+    type Out = Bounds;
+    #[inline(always)]
+    fn run<R: SimdReal>(self, zero: R) -> Bounds {
+        let LeastOf { of, at, cfl, c } = self;
+        let (mut least, whole) = ([zero.of(f64::INFINITY); 3], at.start + at.len() / R::WIDTH * R::WIDTH);
+        for first in (at.start..whole).step_by(R::WIDTH) {
+            let [acoustic, force, h] = of.bounds(zero, cfl, c, first);
+            least = [acoustic.min(least[0]), force.min(least[1]), h.min(least[2])]; // the second of two where one is no number
+        }
+        let [acoustic, force, h] = least.map(|of| of.lanes());
+        let lanes = (0..R::WIDTH).map(|l| Bounds { acoustic: acoustic[l], force: force[l], h: h[l] });
+        let rest = (whole..at.end).map(|k| Bounds::of(of.bounds(0.0, cfl, c, k)));
+        lanes.chain(rest).fold(Bounds::NONE, Bounds::and)
     }
 }
 
@@ -85,14 +126,14 @@ impl StepLimit {
     ) -> Result<f64, Breakdown> {
         let (StepLimit { cfl, c0 }, nu) = (*self, system.domain.fluid.kinematic_viscosity);
         let (p, w) = (&system.particles, walls);
-        let of_fluid = |k: usize| Bounds::of(cfl, sound_speed(k), p.h[k], [p.u[k], p.v[k]], [p.ax[k], p.ay[k]]);
-        let of_wall = |k: usize| Bounds::of(cfl, c0, w.h[k], [w.u[k], w.v[k]], [w.ax[k], w.ay[k]]);
-        let (fluid, wall) = (Bounds::least(p.len(), of_fluid), Bounds::least(walls.len(), of_wall));
+        let particles = Moving([&p.h, &p.u, &p.v, &p.ax, &p.ay]);
+        let fluid = particles.least(cfl, &sound_speed);
+        let wall = Moving([&w.h, &w.u, &w.v, &w.ax, &w.ay]).least(cfl, |_| c0);
         let dt = fluid.dt(nu).min(wall.dt(nu));
         if p.is_empty() || dt > COLLAPSE * (cfl * fluid.h / c0) {
             return Ok(dt);
         }
-        let of = |k: usize| of_fluid(k).dt(nu);
+        let of = |k: usize| Bounds::of(particles.bounds(0.0, cfl, &sound_speed, k)).dt(nu);
         let k = (0..p.len()).min_by(|&a, &b| of(a).total_cmp(&of(b))).unwrap_or(0);
         Err(system.collapsed(k, dt))
     }

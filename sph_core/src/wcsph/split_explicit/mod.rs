@@ -44,7 +44,7 @@ use crate::timers::Phase;
 use crate::walls::Walls;
 
 /// Advective steps that neighbour lists are made to last.
-const LISTS_LAST: f64 = 1.2;
+const LISTS_LAST: f64 = 3.2;
 /// Skin of a particle at rest [h]: wide enough for the shifts of newly split particles.
 const WIDE_SKIN: f64 = 0.08;
 
