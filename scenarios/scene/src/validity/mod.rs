@@ -128,8 +128,8 @@ fn held_geometry(steps: u32) -> Option<String> {
         2 | 3 => Some(format!(
             "fluid.acoustic_steps = {steps}: pair geometry is reused too few times to pay off; in splashes 1 was faster; 4 pays off"
         )),
-        9.. => Some(format!(
-            "fluid.acoustic_steps = {steps}: forces of wedges were 0.2 to 0.4 % lower with 16 than with 8; no chart gives error bars above 8"
+        7.. => Some(format!(
+            "fluid.acoustic_steps = {steps}: forces of wedges were up to 0.2 % lower with 8 than with 6, up to 0.4 % with 16; no chart gives error bars above 6"
         )),
         _ => None,
     }

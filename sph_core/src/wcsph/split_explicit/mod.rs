@@ -162,6 +162,7 @@ impl SplitExplicit {
         system.packed.clear_pressures();
         let mut held = Arc::get_mut(&mut self.held).map(std::mem::take).unwrap_or_default();
         held.viscous_forces(system, walls, &self.base.terms(system));
+        system.neighbours.flag_surface(&mut system.fields); // OP5, of the moments just found
         system.timers.begin(Phase::Pack);
         held.drift = shift_velocities(system, &self.base.settings, self.advective.span(), self.gain);
         system.packed.set_pressures(&system.fields, &system.neighbours);

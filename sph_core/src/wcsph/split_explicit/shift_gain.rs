@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use crate::kernel::Kernel;
 
 /// The largest gain times the largest relaxation rate [-]: 1 takes a wave away at once, 2 keeps its height.
-const GAIN: f64 = 1.6;
+const GAIN: f64 = 1.8;
 /// Wave numbers that are tried in each direction.
 const WAVE_NUMBERS: usize = 64;
 
