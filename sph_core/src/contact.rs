@@ -67,9 +67,10 @@ pub(crate) fn resolve(
 /// Fluid particles that may be beyond a wall's surface, in the order of the particles.
 pub(crate) fn candidates(system: &ParticleSystem, walls: &Walls) -> Vec<usize> {
     let near = |k: &usize| height_over_nearest(system, *k, walls) < CANDIDATE;
-    let beside = |targets: &Range<usize>| system.neighbours.walls_of_fluid.any_of_chunk(targets.start);
-    let of_chunk =
-        |targets: Range<usize>| Some(targets).filter(beside).into_iter().flatten().filter(near).collect::<Vec<usize>>();
+    let of_chunk = |targets: Range<usize>| match system.neighbours.walls_of_fluid.any_of_chunk(targets.start) {
+        true => targets.filter(near).collect::<Vec<usize>>(),
+        false => Vec::new(),
+    };
     parallel::by_chunk(system.particles.len(), of_chunk).concat()
 }
 

@@ -241,8 +241,8 @@ fn least_pressure(draft: &Draft, body: &Body, entry: &Entry) -> Option<f64> {
     }
 }
 
-/// Acoustic steps per advective step where a rigid wedge enters the water (THEORY WC22) [-]: means and noise are those of 1; with 6, 8 and 16
-/// forces are up to 0.1, 0.2 and 0.4 % lower, at coarse spacing 1.5 % with 6. No exact case judges round and flat bottoms.
+/// Acoustic steps per advective step where a rigid wedge enters the water (THEORY WC22) [-]: means are those of 1; with 6, 8
+/// and 16 forces are lower.
 const ACOUSTIC_STEPS_OF_A_WEDGE: u32 = 4;
 
 /// The solver's settings, complete. `fastest` is the largest known speed of the flow [m/s]; `still` the speed of

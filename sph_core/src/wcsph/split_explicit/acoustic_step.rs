@@ -31,7 +31,7 @@ pub(super) struct Densities<'a, S> {
     /// Share of each row of `walls` in −∇·v [1/s].
     pub closing: &'a [f64],
     /// Velocities that shift the particles [m/s].
-    pub drift: &'a [Vec<f64>; 2],
+    pub shift_velocity: &'a [Vec<f64>; 2],
     /// Factor of the diffusion's sum [s/m].
     pub diffusion: f64,
     pub dt: f64,
@@ -65,20 +65,20 @@ impl<S: Fn(usize, f64) -> [f64; 2]> Task for DensitiesOf<'_, S> {
     #[inline(always)]
     fn run<R: SimdReal>(self, zero: R) {
         let DensitiesOf { all, c, rho, pressure: [pressure, shown], place: [x, y] } = self;
-        let Densities { pairs, walls, rows, closing, drift, diffusion, dt, later, ref state } = *all;
+        let Densities { pairs, walls, rows, closing, shift_velocity, diffusion, dt, later, ref state } = *all;
         let (first, count) = (c * CHUNK, rho.len());
         let mut rate = pairs.density_rate(zero, c, rows, rho, [diffusion, later]);
         for (row, k) in walls.near(first..first + count) {
             rate[k - first] += rho[k - first] * closing[row];
         }
-        let [drift_x, drift_y] = drift.each_ref().map(|of| &of[first..first + count]);
+        let [shift_u, shift_v] = shift_velocity.each_ref().map(|of| &of[first..first + count]);
         for k in 0..count {
             let (twice, change) = (2.0 * rho[k], dt * rate[k]);
             let advanced = rho[k] * ((twice + change) / (twice - change));
             [rho[k], pressure[k]] = state(first + k, advanced);
             shown[k] = pressure[k];
-            x[k] += dt * (rows[first + k].u + drift_x[k]);
-            y[k] += dt * (rows[first + k].v + drift_y[k]);
+            x[k] += dt * (rows[first + k].u + shift_u[k]);
+            y[k] += dt * (rows[first + k].v + shift_v[k]);
         }
     }
 }

@@ -12,23 +12,23 @@ use crate::neighbours::lists::Lists;
 use crate::parallel::{self, CHUNK};
 use crate::simd::{LANES, SimdReal, Task};
 
-/// Take the geometry of the packed particles, which `drift` [m/s] besides moving as the water does (WC26).
+/// Take the geometry of the packed particles, which move with the water and with the `shift_velocity` [m/s] (WC26).
 pub(super) fn hold(
     HeldPairs { chunks, own }: &mut HeldPairs,
     (kernel, dissipation, simd): (Kernel, Dissipation, bool),
-    (fluid, drift): (&[PackedParticle], &[[f64; 2]]),
+    (fluid, shift_velocity): (&[PackedParticle], &[[f64; 2]]),
     lists: &Lists,
     constants: PairConstants,
 ) {
     let n = lists.targets();
     chunks.resize(n.div_ceil(CHUNK), HeldChunk::default());
     own.resize(n, Own::default());
-    with_pairs(kernel, dissipation, Hold { fluid, drift, lists, constants, simd, chunks, own });
+    with_pairs(kernel, dissipation, Hold { fluid, shift_velocity, lists, constants, simd, chunks, own });
 }
 
 struct Hold<'a> {
     fluid: &'a [PackedParticle],
-    drift: &'a [[f64; 2]],
+    shift_velocity: &'a [[f64; 2]],
     lists: &'a Lists,
     constants: PairConstants,
     simd: bool,
@@ -38,12 +38,12 @@ struct Hold<'a> {
 
 impl WithPairs for Hold<'_> {
     fn with<K: Shape, D: PairDissipation>(self) {
-        let Hold { fluid, drift, lists, constants, simd, chunks, own } = self;
+        let Hold { fluid, shift_velocity, lists, constants, simd, chunks, own } = self;
         let pieces: Vec<_> = chunks.iter_mut().zip(own.chunks_mut(CHUNK)).collect();
         parallel::each_piece(pieces, |c, (held, own)| {
             let (first, pairs) = (c * CHUNK, PhantomData);
             let candidates = Candidates::of(lists, first, own.len(), |k| fluid[k].h);
-            let chunk = HoldChunk::<K, D> { fluid, drift, constants, first, candidates, held, own, pairs };
+            let chunk = HoldChunk::<K, D> { fluid, shift_velocity, constants, first, candidates, held, own, pairs };
             kernel::run_sums::<K, _>(simd, chunk);
         });
     }
@@ -89,7 +89,7 @@ impl Candidates {
 
 struct HoldChunk<'a, K, D> {
     fluid: &'a [PackedParticle],
-    drift: &'a [[f64; 2]],
+    shift_velocity: &'a [[f64; 2]],
     constants: PairConstants,
     first: usize,
     candidates: Candidates,
@@ -102,7 +102,7 @@ impl<K: Shape, D: PairDissipation> Task for HoldChunk<'_, K, D> {
     type Out = ();
     #[inline(always)]
     fn run<R: SimdReal>(self, zero: R) {
-        let HoldChunk { fluid, drift, constants, first, candidates, held, own, .. } = self;
+        let HoldChunk { fluid, shift_velocity, constants, first, candidates, held, own, .. } = self;
         let Candidates { start, found, alike } = candidates;
         let weight = constants.gravity.map(|g| zero.of(constants.rho0 * g));
         held.clear(found.len(), !D::LENGTH_IS_DISTANCE);
@@ -111,8 +111,9 @@ impl<K: Shape, D: PairDissipation> Task for HoldChunk<'_, K, D> {
             let at = |l: usize| first + b * BLOCK + (l * R::WIDTH).min(BLOCK - R::WIDTH);
             let targets: [PackedParticle<R>; BLOCK] =
                 std::array::from_fn(|l| PackedParticle::targets(fluid, at(l), zero));
-            let drifts: [[R; 2]; BLOCK] =
-                std::array::from_fn(|l| [0, 1].map(|i| zero.each(|k| drift[(at(l) + k).min(drift.len() - 1)][i])));
+            let own_shift: [[R; 2]; BLOCK] = std::array::from_fn(|l| {
+                [0, 1].map(|i| zero.each(|k| shift_velocity[(at(l) + k).min(shift_velocity.len() - 1)][i]))
+            });
             let mut uniform = [MeanScale.of::<K>(targets[0].h, targets[0].h); BLOCK];
             for l in 0..BLOCK / R::WIDTH {
                 uniform[l] = MeanScale.of::<K>(targets[l].h, targets[l].h);
@@ -120,7 +121,7 @@ impl<K: Shape, D: PairDissipation> Task for HoldChunk<'_, K, D> {
             let mut sums = [[zero; 4]; BLOCK];
             let mut rates = [[zero; 3]; BLOCK];
             for &(j, meets) in &found[start[b] as usize..start[b + 1] as usize] {
-                let (row, [drift_x, drift_y]) = (&fluid[j as usize], drift[j as usize]);
+                let (row, [shift_u, shift_v]) = (&fluid[j as usize], shift_velocity[j as usize]);
                 let (mut gradient, mut diffusion) = ([OfBlock::default(); 2], OfBlock::default());
                 let mut offsets = [[zero; 2]; BLOCK];
                 for l in 0..BLOCK / R::WIDTH {
@@ -132,7 +133,7 @@ impl<K: Shape, D: PairDissipation> Task for HoldChunk<'_, K, D> {
                     let flux = share * ab.grad_factor;
                     let apart = [a.u - zero.of(row.u), a.v - zero.of(row.v)];
                     let moving =
-                        [drifts[l][0] - zero.of(drift_x) + apart[0], drifts[l][1] - zero.of(drift_y) + apart[1]];
+                        [own_shift[l][0] - zero.of(shift_u) + apart[0], own_shift[l][1] - zero.of(shift_v) + apart[1]];
                     let [rate_x, rate_y] = ab.gradient_rate::<K>(share, flux, moving);
                     let (both, [opening, push_x, push_y]) = (a.p + zero.of(row.p), rates[l]);
                     let opening = apart[0].mul_add(rate_x, apart[1].mul_add(rate_y, opening));

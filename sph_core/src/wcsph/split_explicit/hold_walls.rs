@@ -12,9 +12,15 @@ use crate::system::ParticleSystem;
 use crate::walls::Walls;
 
 impl HeldWalls {
-    /// Take the geometry of the packed particles, which `drift` [m/s] besides moving as the water does (WC26).
-    pub fn hold(&mut self, system: &ParticleSystem, walls: &Walls, drift: &[[f64; 2]], constants: PairConstants) {
-        system.domain.fluid.kernel.run(Hold { held: self, system, walls, drift, constants });
+    /// Take the geometry of the packed particles, which move with the water and with the `shift_velocity` [m/s] (WC26).
+    pub fn hold(
+        &mut self,
+        system: &ParticleSystem,
+        walls: &Walls,
+        shift_velocity: &[[f64; 2]],
+        constants: PairConstants,
+    ) {
+        system.domain.fluid.kernel.run(Hold { held: self, system, walls, shift_velocity, constants });
     }
 }
 
@@ -22,15 +28,15 @@ struct Hold<'a> {
     held: &'a mut HeldWalls,
     system: &'a ParticleSystem,
     walls: &'a Walls,
-    drift: &'a [[f64; 2]],
+    shift_velocity: &'a [[f64; 2]],
     constants: PairConstants,
 }
 
 impl WithKernel for Hold<'_> {
     type Out = ();
     fn with<K: Shape>(self) {
-        let Hold { held, system, walls, drift, constants } = self;
-        let (side, lists) = (Side { system, walls, drift }, &system.neighbours.walls_of_fluid);
+        let Hold { held, system, walls, shift_velocity, constants } = self;
+        let (side, lists) = (Side { system, walls, shift_velocity }, &system.neighbours.walls_of_fluid);
         let of_chunk = |targets: Range<usize>| {
             let (mut near, mut rows, mut rates) = (Vec::new(), Rows::default(), Vec::new());
             for k in targets {
@@ -70,14 +76,14 @@ impl WithKernel for Hold<'_> {
 struct Side<'a> {
     system: &'a ParticleSystem,
     walls: &'a Walls,
-    drift: &'a [[f64; 2]],
+    shift_velocity: &'a [[f64; 2]],
 }
 
 impl Side<'_> {
     /// The listed wall particle `w`, or its image, beside fluid particle `k`; `None` beyond the support. What it adds to the rates of `k` is
     /// added to `rates`.
     fn wall_beside<K: Shape>(&self, stretch: f64, k: usize, w: usize, rates: &mut FluidRates) -> Option<WallBeside> {
-        let Side { system, walls, drift } = self;
+        let Side { system, walls, shift_velocity } = self;
         let (a, wall, face) = (&system.packed.fluid[k], &system.packed.walls[w], &system.packed.packed_walls[w]);
         let pair = PairGeometry::new::<K>(a.x - wall.x, a.y - wall.y, MeanScale.of::<K>(a.h, wall.h));
         if pair.grad_factor == 0.0 {
@@ -91,7 +97,8 @@ impl Side<'_> {
         let side = if reflected { -1.0 } else { 1.0 };
         let source = system.neighbours.wall_source(w, walls.len());
 
-        let moving = [a.u + drift[k][0] - side * walls.u[source], a.v + drift[k][1] - walls.v[source]];
+        let moving =
+            [a.u + shift_velocity[k][0] - side * walls.u[source], a.v + shift_velocity[k][1] - walls.v[source]];
         let rate = pair.gradient_rate::<K>(1.0, pair.grad_factor, moving); // d(F r)/dt
         let ([vn, vt], [rate_n, rate_t]) = (along([a.u, a.v], n), along(rate, n));
         let closing = 2.0 * rate_n * (vn - face.vn) + stretch * rate_t * (vt - face.vt);
@@ -106,12 +113,12 @@ impl Side<'_> {
 
     /// The next row: the fluid beside wall particle `w`.
     fn fluid_beside<K: Shape>(&self, w: usize, rows: &mut Rows<FluidBeside>) -> (PressureSensitivity, WallRates) {
-        let Side { system, walls, drift } = self;
+        let Side { system, walls, shift_velocity } = self;
         let (wall, before) = (&system.packed.walls[w], rows.entries.len());
         let mut sensitivity = PressureSensitivity::default();
         let (mut sum, mut sum_p, mut rate, mut rate_p, mut push) = (0.0, 0.0, 0.0, 0.0, [0.0; 2]);
         for j in system.neighbours.fluid_of_wall.of(w) {
-            let (b, [drift_x, drift_y]) = (&system.packed.fluid[j as usize], drift[j as usize]);
+            let (b, [shift_u, shift_v]) = (&system.packed.fluid[j as usize], shift_velocity[j as usize]);
             let pair = PairGeometry::new::<K>(wall.x - b.x, wall.y - b.y, MeanScale.of::<K>(wall.h, b.h));
             if pair.grad_factor == 0.0 {
                 continue;
@@ -123,7 +130,7 @@ impl Side<'_> {
             sensitivity.push = [turn[0] + slope * dx, turn[1] + slope * dy];
             rows.entries.push(FluidBeside { fluid: j, share, gradient: [flux * dx, flux * dy] });
 
-            let moving = [walls.u[w] - b.u - drift_x, walls.v[w] - b.v - drift_y];
+            let moving = [walls.u[w] - b.u - shift_u, walls.v[w] - b.v - shift_v];
             let of_share = slope * (dx * moving[0] + dy * moving[1]);
             (sum, sum_p) = (sum + share, sum_p + share * b.p);
             (rate, rate_p) = (rate + of_share, rate_p + of_share * b.p);

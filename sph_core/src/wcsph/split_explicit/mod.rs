@@ -70,7 +70,7 @@ struct HeldGeometry {
     pairs: HeldPairs,
     walls: HeldWalls,
     /// Velocities that shift the particles (WC26) [m/s].
-    drift: [Vec<f64>; 2],
+    shift_velocity: [Vec<f64>; 2],
     /// Viscous forces on the fluid, and those that keep graded water at rest (WC28) [N/m].
     viscous: [Vec<f64>; 2],
     /// Viscous forces on the walls [N/m].
@@ -115,10 +115,10 @@ impl SplitExplicit {
         }
         let half = 0.5 * dt;
         self.kick(flow.system, half); //                v½ = v + ½δt a
-        self.advance_densities(flow, dt); //            ρ' = ρ (2 + ε)/(2 − ε), ε = δt (dρ/dt)/ρ of (v½, p); p' = p(ρ'); x' = x + δt v½
+        self.advance_densities(flow, dt); //            ρ' = ρ (2 + ε)/(2 − ε), ε = δt (dρ/dt)/ρ of (v½, p); p' = p(ρ'); x' = x + δt (v½ + d)
         flow.walls.start_mean_force(dt); //             ½F, where the walls were at the start
-        self.evaluate_walls(flow, dt); //                   F' of p'
-        self.accelerate(flow, half, dt); //                 a' of p'; v' = v½ + ½δt a'
+        self.evaluate_walls(flow, dt); //               F' of p'
+        self.accelerate(flow, half, dt); //             a' of p'; v' = v½ + ½δt a'
         flow.walls.finish_mean_force(); //              F̄ = ½(F + F')
         self.advective.elapse(dt);
     }
@@ -164,14 +164,14 @@ impl SplitExplicit {
         held.viscous_forces(system, walls, &self.base.terms(system));
         system.neighbours.flag_surface(&mut system.fields); // OP5, of the moments just found
         system.timers.begin(Phase::Pack);
-        held.drift = shift_velocities(system, &self.base.settings, self.advective.span(), self.gain);
+        held.shift_velocity = shift_velocities(system, &self.base.settings, self.advective.span(), self.gain);
         system.packed.set_pressures(&system.fields, &system.neighbours);
-        let drift = drift_packed(system, &held.drift, ahead);
+        let shift_velocity = shift_packed(system, &held.shift_velocity, ahead);
         let (constants, d) = (self.base.constants(system), self.base.settings.dissipation);
         let ParticleSystem { packed, neighbours, domain, .. } = &*system;
-        let fluid = (&packed.fluid[..], &drift[..]);
+        let fluid = (&packed.fluid[..], &shift_velocity[..]);
         hold(&mut held.pairs, (domain.fluid.kernel, d, domain.simd), fluid, &neighbours.fluid, constants);
-        held.walls.hold(system, walls, &drift, constants);
+        held.walls.hold(system, walls, &shift_velocity, constants);
         self.held = Arc::new(held);
     }
 
@@ -204,7 +204,7 @@ impl SplitExplicit {
         let Flow { system, walls, .. } = flow;
         system.timers.begin(Phase::Density);
         let diffusion = diffusion_factor(self.base.settings.dissipation, &self.base.constants(system));
-        let HeldGeometry { pairs, walls: held_walls, drift, .. } = &*self.held;
+        let HeldGeometry { pairs, walls: held_walls, shift_velocity, .. } = &*self.held;
         let (n, rows, wall_state) = (system.particles.len(), &self.rows, &system.wall_state);
         let later = self.advective.after_middle(0.5 * dt);
         let closing = held_walls.closing(rows, walls, |w| wall_state[w].velocity, later);
@@ -212,8 +212,17 @@ impl SplitExplicit {
         let Fields { moments, near_surface, pressure, .. } = &mut system.fields;
         let law = self.base.pressure_law();
         let state = |k: usize, rho: f64| law.state(rho, &moments[k], near_surface[k]);
-        let densities =
-            Densities { pairs, walls: held_walls, rows, closing: &closing, drift, diffusion, dt, later, state };
+        let densities = Densities {
+            pairs,
+            walls: held_walls,
+            rows,
+            closing: &closing,
+            shift_velocity,
+            diffusion,
+            dt,
+            later,
+            state,
+        };
         densities.advance(&mut system.particles, pressure, own, system.domain.simd);
         for (p, &source) in of_images.iter_mut().zip(&system.neighbours.fluid_images) {
             *p = own[source as usize];
@@ -254,16 +263,18 @@ impl SplitExplicit {
     }
 }
 
-/// WC26: move the packed particles on by what the `drift` [m/s] shifts them `ahead` [s], and give the drift of each of them and of their images.
-fn drift_packed(system: &mut ParticleSystem, drift: &[Vec<f64>; 2], ahead: f64) -> Vec<[f64; 2]> {
+/// WC26: move the packed particles by the `shift_velocity` [m/s] for `ahead` [s]; that velocity of each of them and of their images.
+fn shift_packed(system: &mut ParticleSystem, shift_velocity: &[Vec<f64>; 2], ahead: f64) -> Vec<[f64; 2]> {
     let (neighbours, fluid) = (&system.neighbours, &mut system.packed.fluid);
     let side = if neighbours.fluid_shifts.is_empty() { -1.0 } else { 1.0 };
-    let of = |k: usize| [drift[0][k], drift[1][k]];
+    let of = |k: usize| [shift_velocity[0][k], shift_velocity[1][k]];
     let of_image = |source: &u32| [side * of(*source as usize)[0], of(*source as usize)[1]];
-    let drifts: Vec<[f64; 2]> =
-        (0..drift[0].len()).map(of).chain(neighbours.fluid_images.iter().map(of_image)).collect();
-    parallel::update(fluid, |k, row| [row.x, row.y] = [row.x + ahead * drifts[k][0], row.y + ahead * drifts[k][1]]);
-    drifts
+    let velocities: Vec<[f64; 2]> =
+        (0..shift_velocity[0].len()).map(of).chain(neighbours.fluid_images.iter().map(of_image)).collect();
+    parallel::update(fluid, |k, row| {
+        [row.x, row.y] = [row.x + ahead * velocities[k][0], row.y + ahead * velocities[k][1]]
+    });
+    velocities
 }
 
 /// x ← x + Δt v + ½Δt² a for Δt of either sign and the present v and a.
@@ -328,7 +339,8 @@ impl Scheme for SplitExplicit {
     }
 
     fn bytes(&self) -> usize {
-        let HeldGeometry { pairs, walls, drift: [dx, dy], viscous: [x, y], viscous_on_walls: [wx, wy] } = &*self.held;
+        let HeldGeometry { pairs, walls, shift_velocity: [dx, dy], viscous: [x, y], viscous_on_walls: [wx, wy] } =
+            &*self.held;
         let vectors = [dx, dy, x, y, wx, wy].map(of_vector).iter().sum::<usize>();
         self.base.bytes() + pairs.bytes() + walls.bytes() + vectors + of_vector(&self.rows) + of_vector(&self.pressure)
     }
