@@ -243,7 +243,7 @@ fn least_pressure(draft: &Draft, body: &Body, entry: &Entry) -> Option<f64> {
 
 /// Acoustic steps per advective step where a rigid wedge enters the water (THEORY WC22) [-]: means are those of 1; with 6, 8
 /// and 16 forces are lower.
-const ACOUSTIC_STEPS_OF_A_WEDGE: u32 = 4;
+const ACOUSTIC_STEPS_OF_A_WEDGE: u32 = 16;
 
 /// The solver's settings, complete. `fastest` is the largest known speed of the flow [m/s]; `still` the speed of
 /// sound that the water's weight needs [m/s]. `gentle`: nothing falls into the water, and no dam breaks; `submerged`: a body

@@ -8,7 +8,7 @@ pub(crate) mod still_pressure;
 pub(crate) mod wall_state;
 
 use crate::interactions::dissipation::Dissipation;
-use crate::interactions::gather::{Momentum, MomentumSums, PairSums, WallForce, WallForceSums};
+use crate::interactions::gather::{ConcentrationGradient, Momentum, MomentumSums, PairSums, VectorSums, WallForce};
 use crate::interactions::geometry::PairConstants;
 use crate::parallel;
 use crate::particles::Particles;
@@ -83,6 +83,17 @@ pub(crate) fn gather_fluid_forces(
     PairSums::with(&system.domain, terms.dissipation).run(&gather, sums);
 }
 
+/// OP4 of the packed particles [1/m].
+pub(crate) fn gather_concentration_gradient(system: &ParticleSystem) -> [Vec<f64>; 2] {
+    let n = system.particles.len();
+    let mut gradient = [vec![0.0; n], vec![0.0; n]];
+    let [x, y] = &mut gradient;
+    let ParticleSystem { packed, neighbours, domain, .. } = system;
+    let gather = ConcentrationGradient { fluid: &packed.fluid, walls: &packed.walls, neighbours };
+    PairSums::of(domain).run_without_dissipation(&gather, VectorSums { x, y });
+    gradient
+}
+
 /// The same pairs seen from the walls: action equals reaction to rounding.
 pub(crate) fn gather_wall_forces(system: &mut ParticleSystem, terms: &PairTerms, walls: &mut Walls) {
     system.timers.begin(Phase::Walls);
@@ -93,6 +104,6 @@ pub(crate) fn gather_wall_forces(system: &mut ParticleSystem, terms: &PairTerms,
         constants: terms.constants,
         wall_nu: system.domain.fluid.wall_viscosity(),
     };
-    let sums = WallForceSums { x: &mut walls.fx, y: &mut walls.fy };
+    let sums = VectorSums { x: &mut walls.fx, y: &mut walls.fy };
     PairSums::of(&system.domain).run_without_dissipation(&gather, sums);
 }

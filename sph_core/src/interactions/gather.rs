@@ -250,15 +250,40 @@ impl Gather for WallForce<'_> {
     }
 }
 
-/// The forces on the walls, by component [N/m].
-pub(crate) struct WallForceSums<'a> {
+/// OP4 alone: ∇C [1/m] of every fluid particle.
+pub(crate) struct ConcentrationGradient<'a> {
+    pub fluid: &'a [PackedParticle],
+    pub walls: &'a [PackedParticle],
+    pub neighbours: &'a Neighbours,
+}
+
+impl Gather for ConcentrationGradient<'_> {
+    type Sum = [f64; 2];
+    #[inline(always)]
+    fn gather<R: SimdReal, K: Shape, D: PairDissipation>(&self, first: usize, zero: R) -> [[f64; 2]; LANES] {
+        let ConcentrationGradient { fluid, walls, neighbours } = self;
+        let (a, lists) = (PackedParticle::targets(fluid, first, zero), &neighbours.fluid);
+        let near_walls = neighbours.walls_of_fluid.around(first, zero, walls);
+        let [x, y] = if R::WIDTH > 1 && lists.alike(first) {
+            let near = lists.around_alike(first, zero, fluid);
+            pair::concentration_gradient::<R, K>(&a, near, near_walls, UniformScale::new::<K>(a.h))
+        } else {
+            pair::concentration_gradient::<R, K>(&a, lists.around(first, zero, fluid), near_walls, MeanScale)
+        };
+        let (x, y) = (x.lanes(), y.lanes());
+        std::array::from_fn(|k| [x[k], y[k]])
+    }
+}
+
+/// Sums of vectors, by component.
+pub(crate) struct VectorSums<'a> {
     pub x: &'a mut [f64],
     pub y: &'a mut [f64],
 }
 
-impl Sums<[f64; 2]> for WallForceSums<'_> {
+impl Sums<[f64; 2]> for VectorSums<'_> {
     fn pieces(self) -> Vec<Self> {
-        self.x.chunks_mut(CHUNK).zip(self.y.chunks_mut(CHUNK)).map(|(x, y)| WallForceSums { x, y }).collect()
+        self.x.chunks_mut(CHUNK).zip(self.y.chunks_mut(CHUNK)).map(|(x, y)| VectorSums { x, y }).collect()
     }
     #[inline(always)]
     fn count(&self) -> usize {

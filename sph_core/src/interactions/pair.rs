@@ -163,6 +163,28 @@ impl<R: SimdReal> MomentumSum<R> {
     }
 }
 
+/// OP4: ∇C [1/m] of a fluid particle alone.
+#[inline(always)]
+pub fn concentration_gradient<R: SimdReal, K: Shape>(
+    a: &PackedParticle<R>,
+    fluid: impl Iterator<Item = PackedParticle<R>>,
+    walls: impl Iterator<Item = PackedParticle<R>>,
+    sizes: impl ScaleRule<R>,
+) -> [R; 2] {
+    let take = |[x, y]: [R; 2], b: &PackedParticle<R>, ab: &PairGeometry<R>| {
+        let pull = b.raw_volume * ab.grad_factor;
+        [pull.mul_add(ab.dx, x), pull.mul_add(ab.dy, y)]
+    };
+    let mut sum = [a.x.of(0.0); 2];
+    for b in fluid {
+        sum = take(sum, &b, &PairGeometry::new::<K>(a.x - b.x, a.y - b.y, sizes.of::<K>(a.h, b.h)));
+    }
+    for w in walls {
+        sum = take(sum, &w, &PairGeometry::new::<K>(a.x - w.x, a.y - w.y, MeanScale.of::<K>(a.h, w.h)));
+    }
+    sum
+}
+
 /// WA6: force of the fluid on a wall particle [N/m]: the same pairs with the roles swapped.
 #[inline(always)]
 pub fn wall_force<R: SimdReal, K: Shape>(

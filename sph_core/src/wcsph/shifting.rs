@@ -1,7 +1,7 @@
 //! Particle shifting (THEORY WC10).
 
 use crate::parallel;
-use crate::particles::{Fields, Particles};
+use crate::particles::{Fields, KernelMoments, Particles};
 use crate::scheme::Flow;
 use crate::system::ParticleSystem;
 use crate::wcsph::Settings;
@@ -14,37 +14,50 @@ const SETTLED: f64 = 1e-4;
 const MOST_SETTLING_SHIFTS: u32 = 60;
 
 /// WC10: δr = −(2h Δt |v| + κ h²) ∇C, at most 0.02 h, outside the free surface; κ, `settling` [-], acts on particles that were newly
-/// split (WC21). `at_surface`: particles that see the surface are shifted too.
+/// split (WC21). With `shifting_at_surface` particles that see the surface are shifted too.
 pub(crate) fn even_out(system: &mut ParticleSystem, settings: &Settings, dt: f64) {
-    let share = Share { settling: settings.settling, dt, all: false };
-    shift(system, settings.shifting_at_surface, |p, fields, k| share.of(p, fields, k));
+    let share = Share { settling: settings.settling, dt, all: false, at_surface: settings.shifting_at_surface };
+    shift(system, |p, fields, k| share.of(p, fields, k));
 }
 
 /// Longest shift in an advective step, in smoothing lengths.
 const LONGEST_ADVECTIVE_SHIFT: f64 = 0.16;
 
-/// WC26: the velocities [m/s] that shift particles over an advective step of `dt` [s] and as many acoustic `steps`, at most by `gain` h² ∇C.
-pub(crate) fn shift_velocities(
-    system: &ParticleSystem,
+/// WC26: the shifts [m] of an advective step of `dt` [s] and as many acoustic `steps`, in equal stages of at most `gain` h² ∇C.
+/// `concentration_gradient` finds ∇C [1/m] of the particles moved by the shifts so far.
+pub(crate) fn shifts_in_stages(
+    system: &mut ParticleSystem,
     settings: &Settings,
     (dt, steps): (f64, f64),
     gain: f64,
+    concentration_gradient: impl Fn(&mut ParticleSystem, &[Vec<f64>; 2]) -> [Vec<f64>; 2],
 ) -> [Vec<f64>; 2] {
-    let ParticleSystem { particles: p, fields, .. } = system;
-    let mut velocities = [vec![0.0; p.len()], vec![0.0; p.len()]];
-    if settings.shifting {
-        let share = Share { settling: steps * settings.settling, dt, all: false };
-        let longest = (steps * LONGEST_SHIFT).min(LONGEST_ADVECTIVE_SHIFT);
-        let [x, y] = &mut velocities;
+    let n = system.particles.len();
+    let mut shifts = [vec![0.0; n], vec![0.0; n]];
+    if !settings.shifting {
+        return shifts;
+    }
+    let share = Share { settling: steps * settings.settling, dt, all: false, at_surface: settings.shifting_at_surface };
+    let longest = (steps * LONGEST_SHIFT).min(LONGEST_ADVECTIVE_SHIFT);
+    let stages = (share.settling / gain).ceil().max(1.0);
+    let of_moments = |moments: &KernelMoments| <(f64, f64)>::from(moments.concentration_gradient());
+    let mut gradient: [Vec<f64>; 2] =
+        system.fields.moments.iter().map(of_moments).unzip::<_, _, Vec<_>, Vec<_>>().into();
+    for stage in 1..=stages as usize {
+        if stage > 1 {
+            gradient = concentration_gradient(system, &shifts);
+        }
+        let ParticleSystem { particles: p, fields, .. } = &*system;
+        let [x, y] = &mut shifts;
         parallel::each([x, y], |at, [x, y]| {
             for (i, k) in at.enumerate() {
-                let share = share.of(p, fields, k).min(gain * p.h[k]);
-                [x[i], y[i]] =
-                    displacement(p, fields, k, [share, longest], settings.shifting_at_surface).map(|d| d / dt);
+                let share = (share.of(p, fields, k) / stages).min(gain * p.h[k]);
+                let [dx, dy] = [&gradient[0], &gradient[1]].map(|c| -p.h[k] * share * c[k]);
+                [x[i], y[i]] = within(longest * p.h[k], [x[i] + dx, y[i] + dy]);
             }
         });
     }
-    velocities
+    shifts
 }
 
 /// By how much particles are shifted.
@@ -56,12 +69,17 @@ struct Share {
     dt: f64,
     /// κ acts on all particles that have neither surface nor wall in their neighbourhood, else on those newly split.
     all: bool,
+    /// Particles that see the surface are shifted too.
+    at_surface: bool,
 }
 
 impl Share {
-    /// 2 Δt |v| + κ h [m] of particle `k`.
+    /// 2 Δt |v| + κ h [m] of particle `k`; 0 where it stays.
     #[inline(always)]
     fn of(self, p: &Particles, fields: &Fields, k: usize) -> f64 {
+        if fields.moments[k].at_surface() || (fields.near_surface[k] && !self.at_surface) {
+            return 0.0;
+        }
         let settles = match self.all {
             true => !fields.near_surface[k] && fields.moments[k].wall_kernel_sum == 0.0,
             false => !fields.near_surface[k] && p.newly_split.get(k) == Some(&true),
@@ -71,28 +89,24 @@ impl Share {
     }
 }
 
-/// δr = −h `share` ∇C [m] of particle `k`, at most `longest` h.
+/// A vector [m], shortened to `limit` [m] where it is longer.
 #[inline(always)]
-fn displacement(p: &Particles, fields: &Fields, k: usize, [share, longest]: [f64; 2], at_surface: bool) -> [f64; 2] {
-    let (h, moments) = (p.h[k], &fields.moments[k]);
-    let scale = -h * share;
-    let [dx, dy] = moments.concentration_gradient().map(|c| scale * c);
-    let (length, limit) = ((dx * dx + dy * dy).sqrt(), longest * h);
+fn within(limit: f64, [x, y]: [f64; 2]) -> [f64; 2] {
+    let length = (x * x + y * y).sqrt();
     let shrink = if length > limit { limit / length } else { 1.0 };
-    let stays = moments.at_surface() || (fields.near_surface[k] && !at_surface);
-    let share = if stays { 0.0 } else { shrink };
-    [share * dx, share * dy]
+    [shrink * x, shrink * y]
 }
 
 /// Shift particles by δr = −h `share` ∇C, at most `LONGEST_SHIFT` h.
-fn shift(system: &mut ParticleSystem, at_surface: bool, share: impl Fn(&Particles, &Fields, usize) -> f64 + Sync) {
+fn shift(system: &mut ParticleSystem, share: impl Fn(&Particles, &Fields, usize) -> f64 + Sync) {
     let (p, fields) = (&mut system.particles, &system.fields);
     let [mut x, mut y] = [&mut p.x, &mut p.y].map(std::mem::take);
     let unmoved = &*p;
     parallel::each([&mut x, &mut y], |at, [x, y]| {
         for (i, k) in at.enumerate() {
-            let share = share(unmoved, fields, k);
-            let [dx, dy] = displacement(unmoved, fields, k, [share, LONGEST_SHIFT], at_surface);
+            let (h, share) = (unmoved.h[k], share(unmoved, fields, k));
+            let shift = fields.moments[k].concentration_gradient().map(|c| -h * share * c);
+            let [dx, dy] = within(LONGEST_SHIFT * h, shift);
             x[i] += dx;
             y[i] += dy;
         }
@@ -129,8 +143,8 @@ fn shift_before_start(flow: &mut Flow<'_>, settling: f64, mut evaluate_forces: i
         if -parallel::least(p.len(), |k| -length(k)) < SETTLED {
             return;
         }
-        let share = Share { settling, dt: 0.0, all: true };
-        shift(flow.system, true, |p, fields, k| share.of(p, fields, k));
+        let share = Share { settling, dt: 0.0, all: true, at_surface: true };
+        shift(flow.system, |p, fields, k| share.of(p, fields, k));
         evaluate_forces(flow);
         flow.system.neighbours.flag_surface(&mut flow.system.fields);
     }

@@ -25,16 +25,17 @@ use hold::hold;
 use serde::{Deserialize, Serialize};
 use shift_gain::shift_gain;
 
-use super::shifting::shift_velocities;
+use super::shifting::shifts_in_stages;
 use super::{Settings, Wcsph};
 use crate::domain::Domain;
 use crate::error::Breakdown;
 use crate::forces::interface_dynamics::solve_owners;
 use crate::forces::wall_state::extrapolate_to_walls;
-use crate::forces::{Forces, PairTerms, gather_fluid_forces, gather_wall_forces};
+use crate::forces::{Forces, PairTerms, gather_concentration_gradient, gather_fluid_forces, gather_wall_forces};
 use crate::interactions::dissipation::{DiffusivePair, Dissipation, PairDissipation, RiemannPair};
 use crate::interactions::geometry::PairConstants;
 use crate::memory::of_vector;
+use crate::neighbours::Neighbours;
 use crate::parallel;
 use crate::particles::Fields;
 use crate::scheme::{Flow, Scheme};
@@ -164,9 +165,12 @@ impl SplitExplicit {
         held.viscous_forces(system, walls, &self.base.terms(system));
         system.neighbours.flag_surface(&mut system.fields); // OP5, of the moments just found
         system.timers.begin(Phase::Pack);
-        held.shift_velocity = shift_velocities(system, &self.base.settings, self.advective.span(), self.gain);
+        let (length, steps) = self.advective.span();
+        let shifts = shifts_in_stages(system, &self.base.settings, (length, steps), self.gain, gradient_when_shifted);
+        displace(system, &shifts, ahead / length);
+        held.shift_velocity = shifts.map(|axis| axis.into_iter().map(|d| d / length).collect());
         system.packed.set_pressures(&system.fields, &system.neighbours);
-        let shift_velocity = shift_packed(system, &held.shift_velocity, ahead);
+        let shift_velocity = with_images(&system.neighbours, &held.shift_velocity);
         let (constants, d) = (self.base.constants(system), self.base.settings.dissipation);
         let ParticleSystem { packed, neighbours, domain, .. } = &*system;
         let fluid = (&packed.fluid[..], &shift_velocity[..]);
@@ -263,18 +267,27 @@ impl SplitExplicit {
     }
 }
 
-/// WC26: move the packed particles by the `shift_velocity` [m/s] for `ahead` [s]; that velocity of each of them and of their images.
-fn shift_packed(system: &mut ParticleSystem, shift_velocity: &[Vec<f64>; 2], ahead: f64) -> Vec<[f64; 2]> {
-    let (neighbours, fluid) = (&system.neighbours, &mut system.packed.fluid);
-    let side = if neighbours.fluid_shifts.is_empty() { -1.0 } else { 1.0 };
-    let of = |k: usize| [shift_velocity[0][k], shift_velocity[1][k]];
-    let of_image = |source: &u32| [side * of(*source as usize)[0], of(*source as usize)[1]];
-    let velocities: Vec<[f64; 2]> =
-        (0..shift_velocity[0].len()).map(of).chain(neighbours.fluid_images.iter().map(of_image)).collect();
-    parallel::update(fluid, |k, row| {
-        [row.x, row.y] = [row.x + ahead * velocities[k][0], row.y + ahead * velocities[k][1]]
+/// ∇C [1/m] of the packed particles, each moved by its shift [m].
+fn gradient_when_shifted(system: &mut ParticleSystem, shifts: &[Vec<f64>; 2]) -> [Vec<f64>; 2] {
+    displace(system, shifts, 1.0);
+    let gradient = gather_concentration_gradient(system);
+    displace(system, shifts, -1.0);
+    gradient
+}
+
+/// Move the packed particles, and their images, by a `share` [-] of their shifts [m].
+fn displace(system: &mut ParticleSystem, shifts: &[Vec<f64>; 2], share: f64) {
+    let shifts = with_images(&system.neighbours, shifts);
+    parallel::update(&mut system.packed.fluid, |k, row| {
+        [row.x, row.y] = [row.x + share * shifts[k][0], row.y + share * shifts[k][1]]
     });
-    velocities
+}
+
+/// A vector of each particle, and of each image.
+fn with_images(neighbours: &Neighbours, [x, y]: &[Vec<f64>; 2]) -> Vec<[f64; 2]> {
+    let side = if neighbours.fluid_shifts.is_empty() { -1.0 } else { 1.0 };
+    let of_images = neighbours.fluid_images.iter().map(|&k| [side * x[k as usize], y[k as usize]]);
+    x.iter().zip(y).map(|(&x, &y)| [x, y]).chain(of_images).collect()
 }
 
 /// x ← x + Δt v + ½Δt² a for Δt of either sign and the present v and a.
