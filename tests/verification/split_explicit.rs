@@ -117,7 +117,7 @@ fn a_free_wedge_falls_as_with_full_steps() {
     assert!((split / full - 1.0).abs() < 5e-3, "velocity {split}, with full steps {full} m/s");
 }
 
-/// A rigid keel is followed with four acoustic steps. Repeated steps of a light body, and a resolution that does not follow, need the geometry
+/// A rigid keel is followed with sixteen acoustic steps per geometry. Repeated steps of a light body, and a resolution that does not follow, need the geometry
 /// of each step.
 #[test]
 fn geometry_is_held_by_default_only_where_it_was_found_to_hold() {
@@ -125,8 +125,8 @@ fn geometry_is_held_by_default_only_where_it_was_found_to_hold() {
         let scene = scene("wedge", sets);
         scene.solver.weakly_compressible().map(|fluid| fluid.scheme.acoustic_steps())
     };
-    assert_eq!(held(&[]), Some(4));
-    assert_eq!(held(&["coupling.scheme=added_mass"]), Some(4));
+    assert_eq!(held(&[]), Some(16));
+    assert_eq!(held(&["coupling.scheme=added_mass"]), Some(16));
     assert_eq!(held(&["coupling.scheme=iqn_ils"]), Some(1));
     assert_eq!(held(&["resolution.follow=false"]), Some(1));
 }

@@ -25,8 +25,18 @@ struct Followed {
     /// Draught [m], and where the body's origin is [m], at t = 0.
     draught: f64,
     origin: [f64; 2],
-    /// x midway between its ends, from the middle of the zone [m].
-    aside: f64,
+    /// x of its lowest point and x midway between its ends, from the middle of the zone [m].
+    aside: [f64; 2],
+}
+
+impl Followed {
+    /// Where the middle of its own zone is at a draught [m], from the middle of the whole [m]: it goes from the lowest point, which is wet first,
+    /// to the middle of the body.
+    fn aside(&self, draught: f64) -> f64 {
+        let [lowest, middle] = self.aside;
+        let share = draught.max(0.0) / self.entry.final_draught.max(draught.abs()).max(f64::MIN_POSITIVE);
+        lowest + share * (middle - lowest)
+    }
 }
 
 impl Follower {
@@ -38,7 +48,7 @@ impl Follower {
             entry,
             draught: body.draught(),
             origin: body.position,
-            aside: body.middle() - middle,
+            aside: [body.lowest(), body.middle()].map(|x| x - middle),
         };
         let bodies: Vec<Followed> = scene.entries().into_iter().map(followed).collect();
         if !scene.resolution.follow || bodies.is_empty() {
@@ -55,9 +65,18 @@ impl Follower {
         self.share
     }
 
-    /// Half width and depth of the zone at t = 0 [m], shape (2).
-    pub fn at_start(&self) -> [f64; 2] {
-        self.extent(|body| [0.0, body.draught])
+    /// The zone's middle at t = 0 [m], and its half width and depth [m], shape (2).
+    pub fn at_start(&self) -> (f64, [f64; 2]) {
+        let along = self.along(|body| body.draught);
+        (self.middle + along, self.extent(|body| [-along, body.draught]))
+    }
+
+    /// How far the zone of a body alone is from the whole's middle, at a draught of what `at` says [m]; several stay within one [m].
+    fn along(&self, at: impl Fn(&Followed) -> f64) -> f64 {
+        match &self.bodies[..] {
+            [body] => body.aside(at(body)),
+            _ => 0.0,
+        }
     }
 
     /// The zone for bodies that are where their motions say, in the order of the scene.
@@ -68,10 +87,10 @@ impl Follower {
             .zip(placed)
             .map(|(body, (motion, _))| [motion.position[0] - body.origin[0], body.origin[1] - motion.position[1]])
             .collect();
-        // one body takes its zone along; several stay within one
-        let (along, middle) = match (&self.bodies[..], placed) {
-            ([body], [(motion, _), ..]) => (moved[0][0], self.middle + motion.position[0] - body.origin[0]),
-            _ => (0.0, self.middle),
+        // one body takes its zone along
+        let along = match &moved[..] {
+            [[aside, sunk]] => aside + self.along(|body| body.draught + sunk),
+            _ => 0.0,
         };
         let mut k = 0;
         let [half_width, depth] = self.extent(|body| {
@@ -84,7 +103,7 @@ impl Follower {
             ends.map(|(a, b)| [motion.point(*a), motion.point(*b)])
         });
         RefinementZone {
-            middle,
+            middle: self.middle + along,
             half_width,
             depth,
             edges: edges.collect(),
@@ -100,7 +119,7 @@ impl Follower {
         for body in &self.bodies {
             let [aside, draught] = at(body);
             let [half_width, depth] = auto_fine_zone(&Entry { final_draught: draught, ..body.entry }, self.spacing);
-            most = [most[0].max((body.aside + aside).abs() + half_width), most[1].max(depth)];
+            most = [most[0].max((body.aside(draught) + aside).abs() + half_width), most[1].max(depth)];
         }
         std::array::from_fn(|k| self.share[k] * most[k])
     }

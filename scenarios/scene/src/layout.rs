@@ -15,10 +15,9 @@ pub fn rows(scene: &Scene) -> WallRows {
 /// How the water is divided into particles.
 pub fn layout(scene: &Scene) -> Layout {
     let x = scene.water_sides();
-    let middle = scene.fine_zone_center();
-    let [half_width, fine_depth] = match Follower::of(scene) {
+    let (middle, [half_width, fine_depth]) = match Follower::of(scene) {
         Some(follower) => follower.at_start(),
-        None => scene.resolution.fine_zone,
+        None => (scene.fine_zone_center(), scene.resolution.fine_zone),
     };
     let layout = Layout::new(Basin {
         x,

@@ -1,6 +1,7 @@
 //! Water that does not start as a level rectangle, and what is read off it.
 
 use run::build;
+use scene::layout;
 
 use super::{TANK, changed, load, particle_estimate, sets};
 
@@ -86,4 +87,17 @@ fn a_level_surface_changes_nothing() {
     let of = |changes: &[&str]| load("dam_break", &sets(changes)).expect("a built-in scene").scene;
     assert_eq!(of(&["tank.surface_tilt_deg=0", "tank.surface_amplitude=0"]), of(&[]));
     assert!(of(&[]).tank.surface().is_none());
+}
+
+/// Water is fine where a body touches it first. Under the edge of a pitched plate it had sixteen times the spacing, because the zone was in the
+/// middle of the plate.
+#[test]
+fn water_is_fine_under_the_lowest_point() {
+    let rolled = ["body.angle_deg=15", "symmetry=none"].map(String::from);
+    for (name, sets) in [("plate_pitched", &[][..]), ("wedge", &[]), ("wedge", &rolled), ("fuselage_section", &[])] {
+        let scene = load(name, sets).expect("a scene").scene;
+        let body = scene.body.as_ref().expect("a body");
+        let finest = layout(&scene).spacing_at([body.lowest(), -0.5 * scene.resolution.spacing]);
+        assert!(finest < 1.01 * scene.resolution.spacing, "{name} {sets:?}: {finest} m");
+    }
 }

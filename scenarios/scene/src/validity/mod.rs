@@ -128,10 +128,7 @@ fn held_geometry(steps: u32) -> Option<String> {
         2 | 3 => Some(format!(
             "fluid.acoustic_steps = {steps}: pair geometry is reused too few times to pay off; in splashes 1 was faster; 4 pays off"
         )),
-        5.. => Some(format!(
-            "fluid.acoustic_steps = {steps}: the force of a wedge was 0.1 and 0.2 % lower with 8 and 16 than with 4, impulses of coarse twin wedges 1.4 % with 6; no chart \
-             gives error bars above 4"
-        )),
+        17.. => Some(format!("fluid.acoustic_steps = {steps}: no chart gives error bars above 16")),
         _ => None,
     }
 }

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 /// Largest |v_a − v_b| Δt/h of neighbours in an advective step [-].
-const STRAIN: f64 = 0.2;
+const STRAIN: f64 = 0.4;
 /// Largest Δt √(p/ρ)/Δx [-]: under pressure, disorder of the lattice swings with about that frequency.
 const SQUEEZE: f64 = 1.0;
 
@@ -32,6 +32,12 @@ impl AdvectiveStep {
     /// Its length [s] and its acoustic steps.
     pub fn span(self) -> (f64, f64) {
         (self.length, self.steps)
+    }
+
+    /// The length of its next acoustic step [s]; `None` where it is over.
+    pub fn acoustic_step(self) -> Option<f64> {
+        let dt = self.length / self.steps.max(1.0);
+        (dt > 0.0 && !self.is_over(dt)).then_some(dt)
     }
 
     /// The time `later` [s], less that of its middle, in which the geometry is held [s].
