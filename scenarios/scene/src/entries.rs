@@ -4,7 +4,7 @@ use fsi_coupling::geometry::polygon;
 
 use super::auto::{auto_fine_zone, fastest_speed};
 use super::impact::Entry;
-use super::keys::{Body, Joint, Motion, Scene, Tank};
+use super::keys::{Body, Joint, Motion, Scene, Tank, WET_HEIGHT};
 
 /// Share of its speed at contact at which a body still presses half as hard [-].
 const STILL_FAST: f64 = 0.7;
@@ -50,13 +50,17 @@ pub(super) fn fastest_of_all<'a>(
     bodies.into_iter().map(of).fold(without, f64::max)
 }
 
-/// x of the fine zone's middle [m]: a single body's; of several, midway between the ends of those that move; 0 without a body.
-pub(super) fn middle_of_all<'a>(bodies: impl IntoIterator<Item = &'a Body>) -> f64 {
+/// x of the middle of what is wet at the end [m]: a single body's; of several, midway between the ends of those that move; 0 without a body.
+pub(super) fn middle_of_all<'a>(bodies: impl IntoIterator<Item = &'a Body>, entries: &[(&Body, Entry)]) -> f64 {
     let bodies: Vec<&Body> = bodies.into_iter().collect();
     let moving: Vec<&Body> = bodies.iter().copied().filter(|body| body.motion != Motion::Fixed).collect();
+    let wet = |body: &Body| {
+        let entry = entries.iter().find(|(own, _)| std::ptr::eq(*own, body)).map(|(_, entry)| entry);
+        entry.map_or_else(|| body.middle(), |entry| middle_of_wet(&body.placed_outline(), entry.final_draught))
+    };
     match (&bodies[..], &moving[..]) {
         ([], _) => 0.0,
-        ([only], _) | (_, [only]) => only.middle(),
+        ([only], _) | (_, [only]) => wet(only),
         ([first, ..], []) => first.middle(),
         (_, moving) => {
             let all: Vec<[f64; 2]> = moving.iter().flat_map(|body| body.placed_outline()).collect();
@@ -66,11 +70,28 @@ pub(super) fn middle_of_all<'a>(bodies: impl IntoIterator<Item = &'a Body>) -> f
     }
 }
 
+/// Points this share of the breadth above the lowest one are as low [-].
+const FLAT: f64 = 1e-6;
+
+/// x midway between the ends of what is wet of an outline [m] at a draught [m]: what is lower than π/2 draughts above its lowest point.
+pub(super) fn middle_of_wet(outline: &[[f64; 2]], draught: f64) -> f64 {
+    let [min, max] = polygon::bounding_box(outline);
+    let top = min[1] + (WET_HEIGHT * draught).max(FLAT * (max[0] - min[0]));
+    let wet = outline.iter().zip(outline.iter().cycle().skip(1)).flat_map(|(a, b)| {
+        let (low, high) = if a[1] < b[1] { (a, b) } else { (b, a) }; // so that mirrored edges are cut at mirrored places
+        let share = (top - low[1]) / (high[1] - low[1]);
+        let cut = (low[1] < top && top <= high[1]).then(|| [low[0] + share * (high[0] - low[0]), top]);
+        (a[1] < top).then_some(*a).into_iter().chain(cut)
+    });
+    let [left, right] = polygon::bounding_box(&wet.collect::<Vec<_>>());
+    0.5 * (left[0] + right[0])
+}
+
 /// Half width and depth of the fine zone about `middle` that holds those of all entries [m], shape (2).
 pub(super) fn zone_of_all(entries: &[(&Body, Entry)], middle: f64, spacing: f64) -> [f64; 2] {
     let of = |(body, entry): &(&Body, Entry)| {
         let [half_width, depth] = auto_fine_zone(entry, spacing);
-        [(body.middle() - middle).abs() + half_width, depth]
+        [(middle_of_wet(&body.placed_outline(), entry.final_draught) - middle).abs() + half_width, depth]
     };
     entries.iter().map(of).fold([0.0; 2], |most, zone| [0, 1].map(|k| zone[k].max(most[k])))
 }
@@ -111,9 +132,10 @@ impl Scene {
         fastest_of_all(self.all_bodies(), &self.entries(), self.gravity, Some(&self.tank)) + self.tank.block_speed()
     }
 
-    /// x of the fine zone's middle [m]: the body's; of several, midway between the ends of those that move; 0 without a body.
+    /// x of the fine zone's middle [m]: that of what is wet of a body at the end; of several, midway between the ends of those that move; 0
+    /// without a body.
     pub fn fine_zone_center(&self) -> f64 {
-        middle_of_all(self.all_bodies())
+        middle_of_all(self.all_bodies(), &self.entries())
     }
 
     /// What a sentence about a body of several starts with.

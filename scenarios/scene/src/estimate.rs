@@ -79,14 +79,16 @@ fn wall_particles(scene: &Scene) -> f64 {
     rows * single
 }
 
-/// Particles of one row from `a` to `b`: ∫ ds / (dx + (growth − 1) d(s)).
+/// Particles of one row from `a` to `b`: ∫ ds / (dx + (growth − 1) d(s)), d the larger of the distances in x and y from the fine zone.
 fn particles_along(scene: &Scene, a: [f64; 2], b: [f64; 2]) -> f64 {
     let slope = scene.resolution.growth - 1.0;
+    let ([half_width, depth], middle) = (scene.resolution.fine_zone, scene.fine_zone_center());
+    let distance = |at: [f64; 2]| ((at[0] - middle).abs() - half_width).max(-at[1] - depth).max(0.0);
     let panel = (b[0] - a[0]).hypot(b[1] - a[1]) / f64::from(PANELS);
     let at = |i: u32| {
         let s = (f64::from(i) + 0.5) / f64::from(PANELS);
         [a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1])]
     };
-    let spacing = |p| scene.resolution.spacing + slope * scene.distance_from_fine_zone(p);
+    let spacing = |p| scene.resolution.spacing + slope * distance(p);
     (0..PANELS).map(|i| panel / spacing(at(i))).sum()
 }

@@ -4,6 +4,7 @@ use fsi_coupling::{Motion, Outline};
 use sph_core::RefinementZone;
 
 use crate::auto::auto_fine_zone;
+use crate::entries::middle_of_wet;
 use crate::{Entry, Scene};
 
 /// Thickness of the fine layer beside a body [spacings].
@@ -25,17 +26,14 @@ struct Followed {
     /// Draught [m], and where the body's origin is [m], at t = 0.
     draught: f64,
     origin: [f64; 2],
-    /// x of its lowest point and x midway between its ends, from the middle of the zone [m].
-    aside: [f64; 2],
+    /// Its outline at t = 0, from the middle of the zone [m].
+    outline: Vec<[f64; 2]>,
 }
 
 impl Followed {
-    /// Where the middle of its own zone is at a draught [m], from the middle of the whole [m]: it goes from the lowest point, which is wet first,
-    /// to the middle of the body.
+    /// The middle of what is wet of it at a draught [m], from the middle of the zone [m].
     fn aside(&self, draught: f64) -> f64 {
-        let [lowest, middle] = self.aside;
-        let share = draught.max(0.0) / self.entry.final_draught.max(draught.abs()).max(f64::MIN_POSITIVE);
-        lowest + share * (middle - lowest)
+        middle_of_wet(&self.outline, draught)
     }
 }
 
@@ -48,7 +46,7 @@ impl Follower {
             entry,
             draught: body.draught(),
             origin: body.position,
-            aside: [body.lowest(), body.middle()].map(|x| x - middle),
+            outline: body.placed_outline().into_iter().map(|[x, y]| [x - middle, y]).collect(),
         };
         let bodies: Vec<Followed> = scene.entries().into_iter().map(followed).collect();
         if !scene.resolution.follow || bodies.is_empty() {

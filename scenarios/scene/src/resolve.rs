@@ -69,7 +69,7 @@ pub(super) fn resolve(mut draft: Draft) -> Result<Scene, Problem> {
     let still = if entries.is_empty() {
         0.0
     } else {
-        let zone = zone_of_all(&entries, middle_of_all(bodies.iter().copied()), spacing);
+        let zone = zone_of_all(&entries, middle_of_all(bodies.iter().copied(), &entries), spacing);
         let fine_zone = draft.fill("resolution.fine_zone", zone);
         let least = auto_reach(0.0, time.end, fine_zone, gravity)[1];
         hydrostatic_sound(gravity, draft.get("tank.depth").unwrap_or(least))[0]
@@ -243,7 +243,7 @@ fn least_pressure(draft: &Draft, body: &Body, entry: &Entry) -> Option<f64> {
 
 /// Acoustic steps per advective step where a rigid wedge enters the water (THEORY WC22) [-]: means are those of 1; with 6, 8
 /// and 16 forces are lower.
-const ACOUSTIC_STEPS_OF_A_WEDGE: u32 = 16;
+const ACOUSTIC_STEPS_OF_A_WEDGE: u32 = 12;
 
 /// The solver's settings, complete. `fastest` is the largest known speed of the flow [m/s]; `still` the speed of
 /// sound that the water's weight needs [m/s]. `gentle`: nothing falls into the water, and no dam breaks; `submerged`: a body

@@ -45,7 +45,7 @@ fn two_wedges_have_the_settings_of_the_one_that_asks_for_more() {
             .map(|fluid| (fluid.scheme.cavitation_pressure, fluid.scheme.acoustic_steps()))
     };
     let lowest = [bound(&a), bound(&b)].map(|bound| bound.expect("sound").0.expect("a bound"));
-    assert_eq!(bound(&both), Some((Some(lowest[0].min(lowest[1])), 4)));
+    assert_eq!(bound(&both), Some((Some(lowest[0].min(lowest[1])), 12)));
     assert!(both.resolution.follow, "the fine zone follows both");
 }
 

@@ -231,10 +231,8 @@ pub fn panel_line(body: &Body, panel: &Panel) -> Vec<[f64; 2]> {
     line.part(from, to).points().to_vec()
 }
 
-/// Points this share of the breadth above the lowest one are as low [-].
-const FLAT: f64 = 1e-6;
 /// Height of a wedge that is wet, over its draught: the water piles up beside it (Wagner 1932).
-const WET_HEIGHT: f64 = std::f64::consts::FRAC_PI_2;
+pub(crate) const WET_HEIGHT: f64 = std::f64::consts::FRAC_PI_2;
 /// Share of a panel over which the water has come when its stress is largest, at least [-].
 const MOST: f64 = 0.6;
 
@@ -325,16 +323,6 @@ impl Body {
     pub fn draught(&self) -> f64 {
         let [min, _] = polygon::bounding_box(&self.placed_outline());
         -min[1]
-    }
-
-    /// x of its lowest point at t = 0 [m]; of a flat bottom, midway between its ends.
-    pub fn lowest(&self) -> f64 {
-        let outline = self.placed_outline();
-        let [min, max] = polygon::bounding_box(&outline);
-        let flat = FLAT * (max[0] - min[0]);
-        let lowest: Vec<[f64; 2]> = outline.into_iter().filter(|at| at[1] < min[1] + flat).collect();
-        let [min, max] = polygon::bounding_box(&lowest);
-        0.5 * (min[0] + max[0])
     }
 
     /// x midway between the body's left and right ends at t = 0 [m].

@@ -24,8 +24,8 @@ use settings::Schema;
 use water_entry::EntryModel;
 
 pub use body::line;
-pub(super) use body::placed;
 pub use body::{Axis, Body, Freedom, Motion, Moved, Oscillation, panel_length, panel_line};
+pub(super) use body::{WET_HEIGHT, placed};
 pub(crate) use displacements::parabola_rate;
 pub use fluid::{IncompressibleFluid, SolverSettings, Water, WeaklyCompressibleFluid};
 pub use fsi_coupling::geometry::layout::Lattice;
@@ -310,16 +310,6 @@ impl Scene {
     /// All bodies: the first, then the further ones.
     pub fn all_bodies(&self) -> impl Iterator<Item = &Body> {
         self.body.iter().chain(&self.bodies)
-    }
-
-    /// Largest x or y distance of the point from the fine zone [m], shape (2) to scalar; 0 inside it and above it.
-    ///
-    /// Rows that grow by `growth` make the spacing there dx + (growth − 1)·distance.
-    pub fn distance_from_fine_zone(&self, at: [f64; 2]) -> f64 {
-        let [half_width, depth] = self.resolution.fine_zone;
-        let beside = (at[0] - self.fine_zone_center()).abs() - half_width;
-        let below = -at[1] - depth;
-        beside.max(below).max(0.0)
     }
 
     /// Sides of the simulated water at rest, `[left, right]` [m].

@@ -4,6 +4,7 @@ use settings::significant;
 use sph_core::Solver;
 
 use super::gaps::gap_limit;
+use crate::entries::middle_of_wet;
 use crate::impact::Entry;
 use crate::keys::{Body, Motion, Scene};
 use crate::legacy::{extrapolates, repulsive_walls};
@@ -87,7 +88,8 @@ fn outside_fine_zone(scene: &Scene) -> Option<String> {
     let (entries, middle) = (scene.entries(), scene.fine_zone_center());
     let leaves = |(body, entry): &(&Body, Entry)| {
         let root = entry.bottom.wetted_half_width(entry.attached_draught());
-        let half = scene.resolution.fine_zone[0] - (body.middle() - middle).abs();
+        let half =
+            scene.resolution.fine_zone[0] - (middle_of_wet(&body.placed_outline(), entry.final_draught) - middle).abs();
         (entry.final_draught > 0.0 && scene.resolution.growth > 1.0 && half < root)
             .then(|| (scene.about(body), root, half))
     };

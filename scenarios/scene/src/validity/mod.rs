@@ -128,7 +128,7 @@ fn held_geometry(steps: u32) -> Option<String> {
         2 | 3 => Some(format!(
             "fluid.acoustic_steps = {steps}: pair geometry is reused too few times to pay off; in splashes 1 was faster; 4 pays off"
         )),
-        17.. => Some(format!("fluid.acoustic_steps = {steps}: no chart gives error bars above 16")),
+        13.. => Some(format!("fluid.acoustic_steps = {steps}: no chart gives error bars above 12")),
         _ => None,
     }
 }

@@ -3,9 +3,12 @@
 use serde::{Deserialize, Serialize};
 
 /// Largest |v_a − v_b| Δt/h of neighbours in an advective step [-].
-const STRAIN: f64 = 0.4;
+const STRAIN: f64 = 0.3;
 /// Largest Δt √(p/ρ)/Δx [-]: under pressure, disorder of the lattice swings with about that frequency.
 const SQUEEZE: f64 = 1.0;
+
+/// Largest Δt ν/h² [-], as of WC12.
+const VISCOUS: f64 = 0.125;
 
 /// An advective step, and how much of it has passed.
 #[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
@@ -56,7 +59,8 @@ impl AdvectiveStep {
     }
 }
 
-/// The longest advective step [s] at a largest |v_a − v_b|/h of `strain` [1/s] and a largest √(p/ρ)/Δx of `squeeze` [1/s].
-pub(super) fn longest(strain: f64, squeeze: f64) -> f64 {
-    (STRAIN / strain).min(SQUEEZE / squeeze)
+/// The longest advective step [s] at a largest |v_a − v_b|/h of `strain` [1/s], a largest √(p/ρ)/Δx of `squeeze` [1/s] and a smallest h²/ν of
+/// `diffusion` [s], artificial viscosity included.
+pub(super) fn longest(strain: f64, squeeze: f64, diffusion: f64) -> f64 {
+    (STRAIN / strain).min(SQUEEZE / squeeze).min(VISCOUS * diffusion)
 }

@@ -134,7 +134,7 @@ impl SplitExplicit {
         self.hold_geometry(flow, 0.5 * self.advective.length(), dt);
     }
 
-    /// WC25: the longest advective step [s] by strain and by background pressure.
+    /// WC25: the longest advective step [s] by strain, by background pressure and by viscosity.
     fn longest_advective_step(&mut self, flow: &Flow<'_>) -> f64 {
         let ParticleSystem { particles: p, fields, domain, .. } = &*flow.system;
         if self.rows.len() < p.len() {
@@ -143,7 +143,11 @@ impl SplitExplicit {
         let HeldGeometry { pairs, walls, .. } = &*self.held;
         let strain = pairs.strain(&self.rows, &p.h, domain.simd).max(walls.strain(&self.rows, &p.h, flow.walls));
         let squeeze = parallel::least(p.len(), |k| -fields.pressure[k].max(0.0) / (p.rho[k] * p.h[k] * p.h[k]));
-        advective::longest(strain, (-squeeze).sqrt() * domain.fluid.smoothing_ratio)
+        let diffusion = parallel::least(p.len(), |k| {
+            let artificial = 0.125 * self.base.settings.artificial_viscosity * self.base.eos.c0 * p.h[k];
+            p.h[k] * p.h[k] / (domain.fluid.kinematic_viscosity + artificial)
+        });
+        advective::longest(strain, (-squeeze).sqrt() * domain.fluid.smoothing_ratio, diffusion)
     }
 
     /// WC23: hold the geometry as it is predicted to be `ahead` seconds from now; `dt` [s] from now the walls are where their
