@@ -32,7 +32,7 @@ fn one(twins: &Scene, x: f64, width: f64) -> Scene {
 /// alone. Without a fine zone that follows both it was 4 % off here.
 #[test]
 fn twin_wedges_are_one_wedge_beside_a_wall() {
-    let twins = scene("twin_wedges", &["resolution.spacing=0.01"]);
+    let twins = scene("twin_wedges", &["resolution.spacing=0.006"]);
     assert!(twins.resolution.follow);
     let half = 0.5 * twins.tank.width;
     let [impulse, side] = loads(&twins);
@@ -46,7 +46,7 @@ fn twin_wedges_are_one_wedge_beside_a_wall() {
 /// The twins are each other's image in their impulses; in single steps particles that are halved differ from their images (WC21).
 #[test]
 fn twin_wedges_have_the_same_impulse_and_push_each_other_apart_equally() {
-    let outcome = run(&scene("twin_wedges", &["resolution.spacing=0.01"]), &RunOptions::default()).expect("a run");
+    let outcome = run(&scene("twin_wedges", &["resolution.spacing=0.006"]), &RunOptions::default()).expect("a run");
     let times = outcome.series.times();
     let impulse = |name: &str| {
         let forces = outcome.series.column(name).expect("a column");
