@@ -118,7 +118,7 @@ fn a_free_wedge_falls_as_with_full_steps() {
     assert!((split / full - 1.0).abs() < 5e-3, "velocity {split}, with full steps {full} m/s");
 }
 
-/// A rigid keel is followed with twelve acoustic steps per geometry. Repeated steps of a light body, and a resolution that does not follow, need the geometry
+/// A rigid keel, or a round bottom, is followed with twelve acoustic steps per geometry. Repeated steps of a light body, and a resolution that does not follow, need the geometry
 /// of each step.
 #[test]
 fn geometry_is_held_by_default_only_where_it_was_found_to_hold() {

@@ -241,9 +241,8 @@ fn least_pressure(draft: &Draft, body: &Body, entry: &Entry) -> Option<f64> {
     }
 }
 
-/// Acoustic steps per advective step where a rigid wedge enters the water (THEORY WC22) [-]: means are those of 1; with 6, 8
-/// and 16 forces are lower.
-const ACOUSTIC_STEPS_OF_A_WEDGE: u32 = 12;
+/// Acoustic steps per advective step where a rigid body enters the water (THEORY WC22) [-]: means are those of 1, and 16 are noisier.
+const ACOUSTIC_STEPS_OF_AN_ENTRY: u32 = 12;
 
 /// The solver's settings, complete. `fastest` is the largest known speed of the flow [m/s]; `still` the speed of
 /// sound that the water's weight needs [m/s]. `gentle`: nothing falls into the water, and no dam breaks; `submerged`: a body
@@ -298,13 +297,13 @@ fn resolve_fluid(
         }
         let WeaklyCompressibleFluid { scheme, options, .. } = draft.read("fluid")?;
         let bends = bodies.iter().any(|body| body.bends());
-        let keeled = !entries.is_empty() && entries.iter().all(|(_, entry)| has_keel(entry));
+        let splits = !entries.is_empty() && entries.iter().all(|(_, entry)| !entry.is_flat());
         let settles = matches!(water.fluid.kernel, Kernel::WendlandC2 | Kernel::WendlandC4);
         let iterates = draft.get("coupling.scheme") == Some(CouplingScheme::IqnIls);
         let follows = draft.get("resolution.follow") != Some(false);
         let by_pairs = draft.get("fluid.still_pressure") != Some(true);
-        if by_pairs && keeled && !bends && settles && !iterates && follows && legacy::holds_geometry(&options) {
-            draft.fill("fluid.acoustic_steps", ACOUSTIC_STEPS_OF_A_WEDGE);
+        if by_pairs && splits && !bends && settles && !iterates && follows && legacy::holds_geometry(&options) {
+            draft.fill("fluid.acoustic_steps", ACOUSTIC_STEPS_OF_AN_ENTRY);
         }
         submerged::fill_still_pressure(draft, &options, submerged)?;
         legacy::complete(draft, &water.fluid, scheme, options, given)?;

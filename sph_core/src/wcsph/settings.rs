@@ -75,7 +75,7 @@ pub struct Settings {
     #[schemars(range(max = 0.0), extend("x-default" = "0 for a rigid wedge whose chines get wet, not lighter than 0.4 of its added mass, and for a round bottom deeper than 0.15 radii or with wet chines; -density (V^2/2 + g L) for another free wedge from the air; else absent"))]
     pub cavitation_pressure: Option<f64>,
     /// Acoustic steps for which the geometry of pairs may be held (THEORY WC22), 1 to 64 [-]. Fewer are taken where neighbours part
-    /// fast or the water is under pressure; 1 finds the geometry in each step. auto: 12 where a rigid body with a keel enters the water, with
+    /// fast or the water is under pressure; 1 finds the geometry in each step. auto: 12 where a rigid body with a keel or a round bottom enters the water, with
     /// kernel wendland_c2 or wendland_c4, unless resolution.follow = false, coupling.scheme = "iqn_ils" or an option of 2010 is given; else 1. Other
     /// kernels are noisier above 1; incompressible solvers do not use it.
     #[schemars(extend("minimum" = 1, "maximum" = 64, "x-ignored-elsewhere" = true))]
