@@ -3,8 +3,8 @@
 use fsi_coupling::geometry::polygon;
 
 use super::auto::{auto_fine_zone, fastest_speed};
-use super::impact::Entry;
-use super::keys::{Body, Joint, Motion, Scene, Tank, WET_HEIGHT};
+use super::impact::{Entry, middle_of_wet};
+use super::keys::{Body, Joint, Motion, Scene, Tank};
 
 /// Share of its speed at contact at which a body still presses half as hard [-].
 const STILL_FAST: f64 = 0.7;
@@ -68,23 +68,6 @@ pub(super) fn middle_of_all<'a>(bodies: impl IntoIterator<Item = &'a Body>, entr
             0.5 * (min[0] + max[0])
         }
     }
-}
-
-/// Points this share of the breadth above the lowest one are as low [-].
-const FLAT: f64 = 1e-6;
-
-/// x midway between the ends of what is wet of an outline [m] at a draught [m]: what is lower than π/2 draughts above its lowest point.
-pub(super) fn middle_of_wet(outline: &[[f64; 2]], draught: f64) -> f64 {
-    let [min, max] = polygon::bounding_box(outline);
-    let top = min[1] + (WET_HEIGHT * draught).max(FLAT * (max[0] - min[0]));
-    let wet = outline.iter().zip(outline.iter().cycle().skip(1)).flat_map(|(a, b)| {
-        let (low, high) = if a[1] < b[1] { (a, b) } else { (b, a) }; // so that mirrored edges are cut at mirrored places
-        let share = (top - low[1]) / (high[1] - low[1]);
-        let cut = (low[1] < top && top <= high[1]).then(|| [low[0] + share * (high[0] - low[0]), top]);
-        (a[1] < top).then_some(*a).into_iter().chain(cut)
-    });
-    let [left, right] = polygon::bounding_box(&wet.collect::<Vec<_>>());
-    0.5 * (left[0] + right[0])
 }
 
 /// Half width and depth of the fine zone about `middle` that holds those of all entries [m], shape (2).

@@ -4,7 +4,7 @@ use fsi_coupling::{Motion, Outline};
 use sph_core::RefinementZone;
 
 use crate::auto::auto_fine_zone;
-use crate::entries::middle_of_wet;
+use crate::impact::middle_of_wet;
 use crate::{Entry, Scene};
 
 /// Thickness of the fine layer beside a body [spacings].

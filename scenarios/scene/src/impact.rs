@@ -6,7 +6,7 @@ use fsi_coupling::geometry::{polygon, underside};
 use water_entry::air_cushion::{self, AirCushion};
 
 use super::bottom::{Bottom, PEAK_MASS_RATIO, Reach};
-use super::keys::{Body, Motion};
+use super::keys::{Body, Motion, WET_HEIGHT};
 use crate::vocabulary::ResultName;
 
 /// Why the peak force of a flat contact is refused (THEORY GE23).
@@ -236,6 +236,23 @@ const LARGEST_DEADRISE_DEG: f64 = 50.0;
 pub fn jet_reach(deadrise_deg: f64) -> Option<f64> {
     let beta = deadrise_deg.to_radians();
     (deadrise_deg <= LARGEST_DEADRISE_DEG).then(|| (PI - 0.98 * beta.powf(1.78)) / beta.tan())
+}
+
+/// Points this share of the breadth above the lowest one are as low [-].
+const FLAT: f64 = 1e-6;
+
+/// x midway between the ends of what is wet of an outline [m] at a draught [m]: what is lower than π/2 draughts above its lowest point.
+pub(crate) fn middle_of_wet(outline: &[[f64; 2]], draught: f64) -> f64 {
+    let [min, max] = polygon::bounding_box(outline);
+    let top = min[1] + (WET_HEIGHT * draught).max(FLAT * (max[0] - min[0]));
+    let wet = outline.iter().zip(outline.iter().cycle().skip(1)).flat_map(|(a, b)| {
+        let (low, high) = if a[1] < b[1] { (a, b) } else { (b, a) }; // so that mirrored edges are cut at mirrored places
+        let share = (top - low[1]) / (high[1] - low[1]);
+        let cut = (low[1] < top && top <= high[1]).then(|| [low[0] + share * (high[0] - low[0]), top]);
+        (a[1] < top).then_some(*a).into_iter().chain(cut)
+    });
+    let [left, right] = polygon::bounding_box(&wet.collect::<Vec<_>>());
+    0.5 * (left[0] + right[0])
 }
 
 #[cfg(test)]

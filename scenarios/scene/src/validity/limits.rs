@@ -4,8 +4,7 @@ use settings::significant;
 use sph_core::Solver;
 
 use super::gaps::gap_limit;
-use crate::entries::middle_of_wet;
-use crate::impact::Entry;
+use crate::impact::{Entry, middle_of_wet};
 use crate::keys::{Body, Motion, Scene};
 use crate::legacy::{extrapolates, repulsive_walls};
 
