@@ -14,7 +14,7 @@ fn peak_force(summary: &Summary) -> Quantity {
     summary.results.get(scene::vocabulary::ResultName::PeakForce).expect("a body")
 }
 
-/// A round-bottomed section that flies in, at two speeds of sound: the mean is the same, and within its band of the modified
+/// A round-bottomed section that flies in, at two speeds of sound: the mean is the same within 4 % at 10 mm, and within its band of the modified
 /// Logvinovich model's mean over the same 6 ms, 122.4 kN/m; single steps differ by a fifth.
 #[test]
 fn the_quoted_peak_of_a_round_bottom_does_not_follow_the_speed_of_sound() {
@@ -22,7 +22,7 @@ fn the_quoted_peak_of_a_round_bottom_does_not_follow_the_speed_of_sound() {
         |sound: &str| peak_force(&summary("fuselage_section", &["resolution.spacing=0.01", "time.end=0.012", sound]));
     let (slow, fast) = (of("fluid.sound_speed=240"), of("fluid.sound_speed=480"));
     assert_eq!((slow.verdict, fast.verdict), (Verdict::Resolved, Verdict::Resolved));
-    assert!((slow.value / fast.value - 1.0).abs() < 0.03, "{slow:?} {fast:?}");
+    assert!((slow.value / fast.value - 1.0).abs() < 0.04, "{slow:?} {fast:?}");
     assert!(fast.raw / slow.raw > 1.15, "{slow:?} {fast:?}");
     // a start on the water meets a layer at once: an eighth more, at either speed of sound, and not resolved
     let touch = ["resolution.spacing=0.01", "time.end=0.012", "fluid.sound_speed=480", "time.start=0"];
