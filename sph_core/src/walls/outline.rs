@@ -39,6 +39,9 @@ pub(crate) fn closed_owners(walls: &Walls) -> impl Iterator<Item = Range<usize>>
     walls.owners.iter().filter(has_outline).cloned()
 }
 
+/// Smallest mean square of arms over the largest, of places that can turn a body [-]: that of one place alone is rounding.
+const LEAST_SPREAD: f64 = 1e-12;
+
 /// Forces [N/m] at places [m], by weight, that turn with the moment `couple` [N] and have no resultant: those of a rigid rotation.
 pub(crate) fn turning_forces(places: &[([f64; 2], f64)], couple: f64) -> Vec<[f64; 2]> {
     let sum: f64 = places.iter().map(|(_, w)| w).sum();
@@ -47,8 +50,10 @@ pub(crate) fn turning_forces(places: &[([f64; 2], f64)], couple: f64) -> Vec<[f6
     }
     let middle = [0, 1].map(|i| places.iter().map(|(at, w)| w * at[i]).sum::<f64>() / sum);
     let arm = |at: &[f64; 2]| [at[0] - middle[0], at[1] - middle[1]];
-    let inertia: f64 = places.iter().map(|(at, w)| w * arm(at).iter().map(|d| d * d).sum::<f64>()).sum();
-    let turn = if inertia > 0.0 { couple / inertia } else { 0.0 };
+    let square = |at: &[f64; 2]| arm(at).iter().map(|d| d * d).sum::<f64>();
+    let inertia: f64 = places.iter().map(|(at, w)| w * square(at)).sum();
+    let largest = places.iter().map(|(at, _)| square(at)).fold(0.0, f64::max);
+    let turn = if inertia > LEAST_SPREAD * sum * largest { couple / inertia } else { 0.0 };
     places.iter().map(|(at, w)| (arm(at), w)).map(|([x, y], w)| [-turn * w * y, turn * w * x]).collect()
 }
 
@@ -63,6 +68,10 @@ mod tests {
         let sum = forces.iter().fold([0.0; 2], |[x, y], f| [x + f[0], y + f[1]]);
         let moment: f64 = places.iter().zip(&forces).map(|((at, _), f)| at[0] * f[1] - at[1] * f[0]).sum();
         assert_eq!(turning_forces(&[([1.0, 2.0], 0.0)], 3.0), [[0.0; 2]]);
+        for weight in [0.1, 0.3, 0.7] {
+            let alone = [([0.1, 0.7], weight), ([0.3, 0.2], 0.0)];
+            assert_eq!(turning_forces(&alone, 3.0), [[0.0; 2]; 2], "one wet place turns nothing");
+        }
         assert!(sum.iter().all(|f| f.abs() < 1e-14) && (moment - 3.0).abs() < 1e-14, "{sum:?}, {moment}");
     }
 }

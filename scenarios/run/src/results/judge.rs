@@ -13,7 +13,7 @@ use settings::significant;
 
 use super::averaging::Averaging;
 use super::running_integral::{Extreme, RunningIntegral};
-use super::{OF_FREE_FALL, STANDARD_GRAVITY};
+use super::{OF_FREE_FALL, OF_SUCTION, OF_UNRESOLVED_FALL, STANDARD_GRAVITY};
 
 /// Largest acceleration of a body that still falls over gravity [-].
 const FALLING: f64 = 1.03;
@@ -112,7 +112,8 @@ impl Judge {
         let window = self.of_force.time;
         let by_force = |peak: Extreme, raw: Extreme| {
             let mean = |curve: &RunningIntegral<2>| curve.mean_about(peak.time, window).unwrap_or_default();
-            with_tension(self.force_finding(curves, window, peak, raw), mean(&curves.tension), mean(&curves.force))
+            let force = mean(&curves.force);
+            with_tension(self.force_finding(curves, window, [peak, raw], force[1]), mean(&curves.tension), force)
         };
         let force = self.peak(&curves.force, (self.of_force, "bandwidth"), [1.0, 0.0], &by_force);
         let known = force.as_ref().is_some_and(|(quantity, _)| quantity.verdict == Verdict::Resolved);
@@ -122,12 +123,7 @@ impl Judge {
             if !falls {
                 return by_force(peak, raw);
             }
-            let why = match known {
-                true => OF_FREE_FALL,
-                false => {
-                    "the largest acceleration is that of free fall before contact, and the force of the water is not resolved"
-                }
-            };
+            let why = if known { OF_FREE_FALL } else { OF_UNRESOLVED_FALL };
             (Verdict::NotResolved, None, Some(why.into()))
         };
         let unit = [1.0 / STANDARD_GRAVITY, self.gravity];
@@ -203,11 +199,14 @@ impl Judge {
     }
 
     /// What may be said of a force, or of an acceleration.
-    fn force_finding(&self, curves: &Curves, window: f64, peak: Extreme, raw: Extreme) -> Finding {
+    fn force_finding(&self, curves: &Curves, window: f64, [peak, raw]: [Extreme; 2], lift: f64) -> Finding {
         if let Some(why) = &self.limit {
             return (Verdict::NotResolved, None, Some(why.clone().into()));
         }
         let Some(entry) = &self.entry else { return self.unforeseen(curves, peak, raw) };
+        if lift < 0.0 {
+            return (Verdict::NotResolved, None, Some(OF_SUCTION.into()));
+        }
         if entry.is_flat() {
             return self.flat(curves, entry, peak);
         }
@@ -323,7 +322,7 @@ impl Judge {
         };
         let verdict = if why.is_some() { Verdict::NotResolved } else { Verdict::Resolved };
         let (verdict, share, why) = with_tension((verdict, share, why), curves.tension.total(), curves.force.total());
-        let band = share.map(|share| share * value);
+        let band = share.map(|share| share * curves.force.there_and_back());
         (Quantity { value, time_s: None, band, cutoff_hz: None, raw: value, verdict, allowed: None }, why)
     }
 }

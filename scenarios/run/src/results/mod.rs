@@ -18,5 +18,13 @@ pub(crate) use running_integral::{Extreme, RunningIntegral};
 /// Why the acceleration of a body in the air is no result.
 pub(crate) const OF_FREE_FALL: &str = "the largest acceleration is that of free fall before contact, and no result; the water decelerates the body by less than that";
 
+/// The same where the force of the water is none either.
+const OF_UNRESOLVED_FALL: &str =
+    "the largest acceleration is that of free fall before contact, and the force of the water is not resolved";
+
+/// Why the largest force of a body that enters is not resolved.
+const OF_SUCTION: &str =
+    "the largest force pulls the body into the water: air that comes in would make it smaller, and no case measures it";
+
 /// Standard gravity [m/s²].
 pub(crate) const STANDARD_GRAVITY: f64 = 9.80665;

@@ -67,6 +67,13 @@ impl<const N: usize> RunningIntegral<N> {
         }
     }
 
+    /// The largest integral, and what follows it: both count where a force turns round and takes back the impulse that it gave.
+    pub fn there_and_back(&self) -> f64 {
+        let farthest = self.integrals.iter().copied().max_by(|a, b| magnitude(*a).total_cmp(&magnitude(*b)));
+        let (farthest, last) = (farthest.unwrap_or([0.0; N]), self.integrals.last().copied().unwrap_or([0.0; N]));
+        magnitude(farthest) + magnitude(std::array::from_fn::<f64, N, _>(|k| last[k] - farthest[k]))
+    }
+
     /// The largest magnitude of any step; `None` before any.
     pub fn largest(&self) -> Option<Extreme> {
         self.largest
@@ -129,6 +136,16 @@ impl<const N: usize> RunningIntegral<N> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// A force that takes back most of its impulse: its band is that of all that it gave, 1.9 N s/m, not of the rest of 0.1.
+    #[test]
+    fn what_is_taken_back_counts_in_the_band_of_an_impulse() {
+        let mut force = RunningIntegral::default();
+        for (time, lift) in [(0.0, 1.0), (1.0, 1.0), (1.0 + 1e-9, -0.9), (2.0, -0.9)] {
+            force.take(time, [0.0, lift]);
+        }
+        assert!((force.there_and_back() - 1.9).abs() < 1e-6 && (force.total()[1] - 0.1).abs() < 1e-6);
+    }
 
     /// The mean about a time, between rows too; outside the curve there is none.
     #[test]
