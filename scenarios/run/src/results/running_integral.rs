@@ -67,7 +67,7 @@ impl<const N: usize> RunningIntegral<N> {
         }
     }
 
-    /// The largest integral, and what follows it: both count where a force turns round and takes back the impulse that it gave.
+    /// The largest integral, and what follows it: both count where a force turns round, so that less impulse is left.
     pub fn there_and_back(&self) -> f64 {
         let farthest = self.integrals.iter().copied().max_by(|a, b| magnitude(*a).total_cmp(&magnitude(*b)));
         let (farthest, last) = (farthest.unwrap_or([0.0; N]), self.integrals.last().copied().unwrap_or([0.0; N]));
@@ -137,7 +137,7 @@ impl<const N: usize> RunningIntegral<N> {
 mod tests {
     use super::*;
 
-    /// A force that takes back most of its impulse: its band is that of all that it gave, 1.9 N s/m, not of the rest of 0.1.
+    /// A force that turns round: its band is that of all that it gave, 1.9 N s/m, not of the rest of 0.1.
     #[test]
     fn what_is_taken_back_counts_in_the_band_of_an_impulse() {
         let mut force = RunningIntegral::default();
