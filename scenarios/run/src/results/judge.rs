@@ -322,7 +322,7 @@ impl Judge {
         };
         let verdict = if why.is_some() { Verdict::NotResolved } else { Verdict::Resolved };
         let (verdict, share, why) = with_tension((verdict, share, why), curves.tension.total(), curves.force.total());
-        let band = share.map(|share| share * curves.force.there_and_back());
+        let band = share.map(|share| share * curves.force.largest_and_later());
         (Quantity { value, time_s: None, band, cutoff_hz: None, raw: value, verdict, allowed: None }, why)
     }
 }

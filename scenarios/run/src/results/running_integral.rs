@@ -67,8 +67,8 @@ impl<const N: usize> RunningIntegral<N> {
         }
     }
 
-    /// The largest integral, and what follows it: both count where a force turns round, so that less impulse is left.
-    pub fn there_and_back(&self) -> f64 {
+    /// Magnitude of the largest integral, and of what is added to it later: the same as that of the whole where a force does not turn round.
+    pub fn largest_and_later(&self) -> f64 {
         let farthest = self.integrals.iter().copied().max_by(|a, b| magnitude(*a).total_cmp(&magnitude(*b)));
         let (farthest, last) = (farthest.unwrap_or([0.0; N]), self.integrals.last().copied().unwrap_or([0.0; N]));
         magnitude(farthest) + magnitude(std::array::from_fn::<f64, N, _>(|k| last[k] - farthest[k]))
@@ -137,14 +137,14 @@ impl<const N: usize> RunningIntegral<N> {
 mod tests {
     use super::*;
 
-    /// A force that turns round: its band is that of all that it gave, 1.9 N s/m, not of the rest of 0.1.
+    /// 1 N s/m upwards, then 0.9 downwards: the parts are 1.9 together, the rest is 0.1.
     #[test]
-    fn what_is_taken_back_counts_in_the_band_of_an_impulse() {
+    fn the_impulse_of_a_force_that_turns_round_has_two_parts() {
         let mut force = RunningIntegral::default();
         for (time, lift) in [(0.0, 1.0), (1.0, 1.0), (1.0 + 1e-9, -0.9), (2.0, -0.9)] {
             force.take(time, [0.0, lift]);
         }
-        assert!((force.there_and_back() - 1.9).abs() < 1e-6 && (force.total()[1] - 0.1).abs() < 1e-6);
+        assert!((force.largest_and_later() - 1.9).abs() < 1e-6 && (force.total()[1] - 0.1).abs() < 1e-6);
     }
 
     /// The mean about a time, between rows too; outside the curve there is none.
