@@ -35,6 +35,35 @@ fn the_quoted_peak_of_a_round_bottom_does_not_follow_the_speed_of_sound() {
     }
 }
 
+/// The first contact of two arcs: boundary elements, whose first row is up to twice as high, quote what particles quote.
+#[test]
+fn boundary_elements_and_particles_quote_the_same_first_contact() {
+    for (radius, speed, mass, finite_rise) in [(0.6, 3.5, 226.0, 0.9), (2.0, 6.9, 905.0, 0.8)] {
+        let sets = [
+            format!("body.radius={radius}"),
+            format!("body.breadth={radius}"),
+            format!("body.side_height={}", 0.3 * radius),
+            format!("body.mass={mass}"),
+            format!("body.velocity=[0.0, -{speed}]"),
+            format!("time.end={}", 0.05 * radius / speed),
+            format!("resolution.spacing={}", 0.0025 * radius),
+            "compare=[]".to_string(),
+        ];
+        let sets: Vec<&str> = sets.iter().map(String::as_str).collect();
+        let particles = peak_force(&summary("fuselage_section", &sets));
+        let of_flow = summary("fuselage_section", &[&sets[..], &["model=boundary_element"]].concat());
+        let flow = peak_force(&of_flow);
+        assert_eq!(of_flow.results.bandwidth_by, Some(BandwidthBy::Impact));
+        assert_eq!((particles.verdict, flow.verdict), (Verdict::Resolved, Verdict::Resolved));
+        assert_eq!(particles.cutoff_hz.map(f64::round), flow.cutoff_hz.map(f64::round));
+        assert!(
+            (flow.value / particles.value - 1.0).abs() < flow.band.expect("a band") / flow.value,
+            "{flow:?} {particles:?}"
+        );
+        assert!(flow.value < finite_rise * flow.raw, "{flow:?}");
+    }
+}
+
 /// A drop whose peak comes at a draught of three spacings: the peak is not quoted as resolved, and the doubt names a spacing.
 #[test]
 fn a_peak_within_six_spacings_of_draught_is_not_resolved() {

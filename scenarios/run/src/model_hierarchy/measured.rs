@@ -1,6 +1,6 @@
 //! Error of a theory in the measured case that is nearest to a scene.
 
-use scene::{Body, Choice, Loader, Models, Motion, QuantityOfInterest, Scene};
+use scene::{Body, Choice, Loader, Models, Motion, Panel, PanelEnd, QuantityOfInterest, Scene};
 use settings::significant;
 use water_entry::{BOUNDARY_ELEMENT_DEADRISES, EntryModel, OutOfRange, Section, SimilarityFlow};
 
@@ -40,6 +40,9 @@ const BENT_DROP_ERROR: f64 = 0.01;
 /// Deadrises of the wedges with panels that were measured [deg], and the largest half breadth of the arcs over their radius [-].
 const BENDING_FACES: [f64; 2] = [10.0, 35.0];
 const BENDING_ARC: f64 = 0.67;
+/// Deadrises of straight faces whose panels were clamped at one end or both and elastic [deg], and the largest difference of their stress from particles [-].
+const CLAMPED_FACES: [f64; 2] = [12.0, 34.0];
+const CLAMPED_STRESS_ERROR: f64 = 0.025;
 /// Largest differences from particles on them: largest force, largest stress, and RMS of a falling frame's speed over that at contact [-].
 const BENDING_ERROR: f64 = 0.05;
 const BENDING_STRESS_ERROR: f64 = 0.05;
@@ -228,9 +231,27 @@ fn of_bending_bottom(scene: &Scene, theory: &Theory, want: QuantityOfInterest) -
         QuantityOfInterest::PeakForce | QuantityOfInterest::History => {
             Some(Measured { error: BENDING_ERROR, case: case() })
         }
+        QuantityOfInterest::Strain if is_clamped_wedge(scene, section) => {
+            let case = "wedges of 12 to 34 degrees with clamped panels, against particles".into();
+            Some(Measured { error: CLAMPED_STRESS_ERROR, case })
+        }
         QuantityOfInterest::Strain => Some(Measured { error: BENDING_STRESS_ERROR, case: case() }),
         QuantityOfInterest::PeakPressure => None,
     }
+}
+
+/// Straight faces with elastic panels that are clamped at one end or both.
+fn is_clamped_wedge(scene: &Scene, section: &Section) -> bool {
+    let [least, most] = CLAMPED_FACES;
+    let held = |panel: &Panel| {
+        panel.ends.contains(&PanelEnd::Clamped)
+            && panel.ends.iter().all(|end| matches!(end, PanelEnd::Clamped | PanelEnd::Pinned))
+            && panel.end_springs.is_none()
+            && panel.yield_stress.is_none()
+    };
+    section.radius().is_none()
+        && section.deadrise_deg().is_some_and(|deadrise| (least - 1e-6..=most + 1e-6).contains(&deadrise))
+        && scene.body.as_ref().is_some_and(|body| body.panels.iter().all(held))
 }
 
 /// Errors of force and largest pressure on a wedge at constant speed; of a quantity that the theory does not have, `None`.

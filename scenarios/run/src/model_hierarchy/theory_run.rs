@@ -4,7 +4,7 @@ use std::time::Instant as Clock;
 
 use scene::reference::WedgeSimilarity;
 use scene::validity::panels::panel_results_within;
-use scene::vocabulary::{CUTOFF, Doubt, Doubts, Quantity, ResultName, Results, Status, Verdict};
+use scene::vocabulary::{BandwidthBy, CUTOFF, Doubt, Doubts, Quantity, ResultName, Results, Status, Verdict};
 use scene::{Body, Gauge, Motion, QuantityOfInterest, Scene};
 use settings::significant;
 use water_entry::Instant;
@@ -14,7 +14,7 @@ use crate::compare::{self, ReferenceCurve};
 use crate::error_bar::{ErrorBar, ErrorBars};
 use crate::log::{BodyView, Frame, Logged};
 use crate::observers::{ObserveError, Series, SimilarityResult, body_values, create_log, mean_and_deviation};
-use crate::results::{Extreme, OF_FREE_FALL, RunningIntegral, STANDARD_GRAVITY};
+use crate::results::{Extreme, OF_FREE_FALL, RunningIntegral, STANDARD_GRAVITY, time_of_impact};
 use crate::summary::{Log, Peak, Summary};
 use crate::{Outcome, RunError, RunOptions};
 
@@ -135,6 +135,8 @@ fn error_bars(scene: &Scene, body: &Body, theory: &Theory, series: &Series) -> E
     };
     let column = format!("{}.fy_N_per_m", body.name);
     let peak = series.peaks().find(|(name, ..)| *name == column);
+    // a row of the first contact of a round bottom is no peak
+    let peak = peak.filter(|_| !theory.section.is_round());
     let force =
         peak.and_then(|(name, value, _)| bar(QuantityOfInterest::PeakForce, format!("peaks/{name}/value"), value));
     let pressure = |gauge: &Gauge| {
@@ -158,34 +160,42 @@ fn error_bars(scene: &Scene, body: &Body, theory: &Theory, series: &Series) -> E
     force.into_iter().chain(pressures).collect()
 }
 
-/// Results of a theory: no particles, so no mean unless the scene asks for a bandwidth.
+/// Time over which peaks are averaged [s] and what it follows from: a key of the scene, and under a round bottom, where water
+/// without sound gives the first contact a peak that is too short to have a meaning, the impact, as of particles (THEORY GE18).
+fn averaging(scene: &Scene, theory: &Theory) -> Option<(f64, BandwidthBy)> {
+    let of_impact = || scene.entry().filter(|_| theory.section.is_round()).as_ref().and_then(time_of_impact);
+    let of_scene = scene.report.bandwidth.map(|bandwidth| (CUTOFF / bandwidth, BandwidthBy::Scene));
+    of_scene.or_else(|| Some((of_impact()?, BandwidthBy::Impact)))
+}
+
+/// Results of a theory.
 fn results(scene: &Scene, body: &Body, theory: &Theory, bars: &ErrorBars) -> Results {
-    let bandwidth = scene.report.bandwidth;
+    let averaging = averaging(scene, theory);
     let (mut forces, mut accelerations) = (RunningIntegral::<2>::default(), RunningIntegral::<1>::default());
     for (now, motion) in theory.instants.iter().zip(theory.motions(body)) {
         forces.take(now.time, motion.force);
         accelerations.take(now.time, [motion.acceleration[1] / STANDARD_GRAVITY]);
     }
     // at the contact of a flat keel sound and air decide the peaks; the impulse does not depend on them
-    let of_peak = if theory.section.meets_at_once() { Verdict::Acoustic } else { Verdict::Resolved };
+    let at_once = theory.section.meets_at_once() || scene.entry().is_some_and(|entry| entry.is_flat());
+    let of_peak = if at_once { Verdict::Acoustic } else { Verdict::Resolved };
     let with_verdict = |verdict: Verdict, value: f64, time_s: Option<f64>, band: Option<f64>| {
         Quantity { value, time_s, band, cutoff_hz: None, raw: value, verdict, allowed: None }.with_known_band()
     };
     let quantity =
         |value: f64, time_s: Option<f64>, band: Option<f64>| with_verdict(Verdict::Resolved, value, time_s, band);
     // an acceleration and an impulse are as good as the force
-    let bar = bars.get(&format!("peaks/{}.fy_N_per_m/value", body.name));
-    let share = bar.filter(|bar| bar.value != 0.0).map(|bar| bar.band / bar.value.abs());
+    let share = measured(scene, theory, QuantityOfInterest::PeakForce).map(|found| reach(found.error));
     let peak = |raw: Option<Extreme>, mean: Option<Extreme>, subtracted: f64| {
         let (raw, peak) = (raw?, mean?);
         let band = share.map(|share| share * (peak.value + subtracted));
         Some(Quantity {
             raw: raw.value,
-            cutoff_hz: bandwidth,
+            cutoff_hz: averaging.map(|(time, _)| CUTOFF / time),
             ..with_verdict(of_peak, peak.value, Some(peak.time), band)
         })
     };
-    let time = bandwidth.map(|bandwidth| CUTOFF / bandwidth);
+    let time = averaging.map(|(time, _)| time);
     let mean = time.map_or(forces.largest(), |time| forces.largest_mean(time));
     let mean_of_acceleration = time.map_or(accelerations.largest(), |time| accelerations.largest_mean(time));
     let free = matches!(body.motion, Motion::Free(_));
@@ -202,7 +212,7 @@ fn results(scene: &Scene, body: &Body, theory: &Theory, bars: &ErrorBars) -> Res
         (ResultName::Impulse, Some(quantity(impulse, None, of_impulse.map(|share| share * impulse)))),
     ];
     let body = all.into_iter().filter_map(|(name, quantity)| Some((name, quantity?))).collect();
-    Results { body, ..Results::default() }
+    Results { body, bandwidth_by: averaging.map(|(_, by)| by), ..Results::default() }
 }
 
 /// Impulse upwards on a rigid free body, exact where the force of the first contact is shorter than the rows: m (g Δt − ΔV).
