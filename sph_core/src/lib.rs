@@ -84,6 +84,7 @@ mod scheme;
 mod simd;
 pub mod state_bytes;
 mod system;
+mod team;
 mod timers;
 pub mod walls;
 pub mod wcsph;

@@ -4,57 +4,27 @@
 //! result never depend on the number of threads; nothing is scattered, so there are no locks or atomics.
 
 use std::ops::Range;
-
-use rayon::prelude::*;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::simd::with_simd;
+use crate::team::{each_chunk, each_part, each_part_of_both};
+pub use crate::team::{on_threads, within_pool};
 
 /// Targets per chunk.
 pub(crate) const CHUNK: usize = 128;
 
-/// Do `task` on a thread of the pool: the loops inside then start without waking the pool each time.
-pub fn within_pool<T: Send>(task: impl FnOnce() -> T + Send) -> T {
-    if rayon::current_thread_index().is_some() { task() } else { rayon::scope(|_| task()) }
-}
-
-/// Do `task` with a pool of `threads` of its own.
-pub fn on_threads<T: Send>(threads: usize, task: impl FnOnce() -> T + Send) -> T {
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-    pool.expect("a system that gives threads").install(task)
-}
-
-/// `change(c, chunk)` for every chunk of `length` of `out`.
-///
-/// Loops whose name ends in `of` take their closure by pointer and call it once per chunk. So rayon's machinery is compiled
-/// once per type of target, not once per closure.
-fn chunks_of<T: Send>(out: &mut [T], length: usize, change: &(dyn Fn(usize, &mut [T]) + Sync)) {
-    out.par_chunks_mut(length).enumerate().for_each(|(c, chunk)| change(c, chunk));
-}
-
-/// What is done with chunk c of two arrays.
-type OnBoth<'a, A, B> = dyn Fn(usize, &mut [A], &mut [B]) + Sync + 'a;
-
-/// `change(c, a's chunk, b's chunk)` for every chunk of two arrays, cut into as many chunks.
-fn both_chunks_of<A: Send, B: Send>(
-    (a, length_a): (&mut [A], usize),
-    (b, length_b): (&mut [B], usize),
-    change: &OnBoth<'_, A, B>,
-) {
-    debug_assert_eq!(a.len().div_ceil(length_a), b.len().div_ceil(length_b));
-    let chunks = a.par_chunks_mut(length_a).zip(b.par_chunks_mut(length_b));
-    chunks.enumerate().for_each(|(c, (a, b))| change(c, a, b));
-}
-
-/// `of(c)` for each of `n`, in order. (`collect` would compile a second machinery, for iterators of unknown length.)
+/// `of(c)` for each of `n`, in order.
 fn collect_of<T: Send>(n: usize, of: &(dyn Fn(usize) -> T + Sync)) -> Vec<T> {
-    let mut all = Vec::new();
-    (0..n).into_par_iter().map(of).collect_into_vec(&mut all);
-    all
+    let mut all: Vec<Option<T>> = (0..n).map(|_| None).collect();
+    each_part(&mut all, 1, &|c, slot| slot[0] = Some(of(c)));
+    all.into_iter().flatten().collect()
 }
 
 /// `change(c, pieces[c])` for every piece.
 fn pieces_of<T: Send>(pieces: Vec<T>, change: &(dyn Fn(usize, T) + Sync)) {
-    pieces.into_par_iter().enumerate().for_each(|(c, piece)| change(c, piece));
+    let mut pieces: Vec<Option<T>> = pieces.into_iter().map(Some).collect();
+    each_part(&mut pieces, 1, &|c, piece| change(c, piece[0].take().expect("each piece once")));
 }
 
 /// Chunk c of `n` targets in chunks of `length`.
@@ -70,7 +40,7 @@ pub fn gather_into<T: Send>(out: &mut [T], gather: impl Fn(usize) -> T + Sync) {
 
 /// `change(k, out[k])` for every target k.
 pub(crate) fn update<T: Send>(out: &mut [T], change: impl Fn(usize, &mut T) + Sync) {
-    chunks_of(out, CHUNK, &|c, chunk| {
+    each_part(out, CHUNK, &|c, chunk| {
         for (k, slot) in chunk.iter_mut().enumerate() {
             change(c * CHUNK + k, slot);
         }
@@ -118,12 +88,8 @@ pub fn sum<const N: usize>(n: usize, value: impl Fn(usize) -> [f64; N] + Sync) -
 
 /// The least `value(k)` of `n` (infinity when there are none); `min` is exact, so any order gives the same bits.
 pub(crate) fn least(n: usize, value: impl Fn(usize) -> f64 + Sync) -> f64 {
-    least_of(n.div_ceil(CHUNK), &|c| chunk(c, CHUNK, n).map(&value).fold(f64::INFINITY, f64::min))
-}
-
-/// The least `value(c)` of `n`.
-fn least_of(n: usize, value: &(dyn Fn(usize) -> f64 + Sync)) -> f64 {
-    (0..n).into_par_iter().map(value).reduce(|| f64::INFINITY, f64::min)
+    let least = by_chunk(n, |targets| targets.map(&value).fold(f64::INFINITY, f64::min));
+    least.into_iter().fold(f64::INFINITY, f64::min)
 }
 
 /// Particles per piece of a verb that asks each only about itself.
@@ -144,7 +110,13 @@ pub(crate) fn each<T: Send, const N: usize>(
 
 /// True if `holds(c)` for each of `n`.
 fn all_of(n: usize, holds: &(dyn Fn(usize) -> bool + Sync)) -> bool {
-    (0..n).into_par_iter().all(holds)
+    let all = AtomicBool::new(true);
+    each_chunk(n, &|c| {
+        if all.load(Ordering::Relaxed) && !holds(c) {
+            all.store(false, Ordering::Relaxed);
+        }
+    });
+    all.into_inner()
 }
 
 /// True if `holds(k)` for each of `n`.
@@ -162,13 +134,19 @@ pub(crate) fn for_each_chunk<T: Send>(lists: &mut [T], n: usize, fill: impl Fn(R
     update_pieces(lists, 1, |c, list| fill(chunk(c, CHUNK, n), &mut list[0]));
 }
 
-/// What fills a list for a chunk of targets, with an `S` to work with.
-type Fill<'a, S, T> = dyn Fn(&mut S, Range<usize>, &mut T) + Sync + 'a;
-
-/// Fill a list for every chunk of `n` targets.
-pub(crate) fn for_each_chunk_with<T: Send, S: Default>(lists: &mut [T], n: usize, fill: &Fill<'_, S, T>) {
-    let lists = lists.par_iter_mut().enumerate();
-    lists.for_each_init(S::default, |with, (c, list)| fill(with, chunk(c, CHUNK, n), list));
+/// Fill a list for every chunk of `n` targets, with an `S` of this thread's to work with.
+pub(crate) fn for_each_chunk_with<T: Send, S: Default + Send>(
+    lists: &mut [T],
+    n: usize,
+    fill: &(dyn Fn(&mut S, Range<usize>, &mut T) + Sync),
+) {
+    let spare = Mutex::new(Vec::<S>::new());
+    let all = || spare.lock().expect("no panic under this lock");
+    each_part(lists, 1, &|c, list| {
+        let mut with = all().pop().unwrap_or_default();
+        fill(&mut with, chunk(c, CHUNK, n), &mut list[0]);
+        all().push(with);
+    });
 }
 
 /// `parts[c] ← change(targets, chunk)` for every chunk of `out`: changes targets and gives the chunk's part of a sum. Add
@@ -179,12 +157,12 @@ pub(crate) fn update_chunks<T: Send, S: Send>(
     change: impl Fn(Range<usize>, &mut [T]) -> S + Sync,
 ) {
     let n = out.len();
-    both_chunks_of((parts, 1), (out, CHUNK), &|c, part, targets| part[0] = change(chunk(c, CHUNK, n), targets));
+    each_part_of_both((parts, 1), (out, CHUNK), &|c, part, targets| part[0] = change(chunk(c, CHUNK, n), targets));
 }
 
 /// `change(k, a[k], b[k])` for every target k.
 pub(crate) fn update_both<T: Send>(a: &mut [T], b: &mut [T], change: impl Fn(usize, &mut T, &mut T) + Sync) {
-    both_chunks_of((a, CHUNK), (b, CHUNK), &|c, a, b| {
+    each_part_of_both((a, CHUNK), (b, CHUNK), &|c, a, b| {
         for (k, (a, b)) in a.iter_mut().zip(b).enumerate() {
             change(c * CHUNK + k, a, b);
         }
@@ -198,16 +176,14 @@ pub(crate) fn update_both_chunks<T: Send, S: Send>(
     b: &mut [T],
     change: impl Fn(Range<usize>, &mut [T], &mut [T]) -> S + Sync,
 ) {
-    debug_assert_eq!(parts.len(), a.len().div_ceil(CHUNK));
-    let chunks = a.par_chunks_mut(CHUNK).zip(b.par_chunks_mut(CHUNK));
-    parts.par_iter_mut().zip(chunks).enumerate().for_each(|(c, (part, (a, b)))| {
-        *part = change(c * CHUNK..c * CHUNK + a.len(), a, b);
-    });
+    let pairs = a.chunks_mut(CHUNK).zip(b.chunks_mut(CHUNK));
+    let pieces: Vec<_> = parts.iter_mut().zip(pairs).collect();
+    pieces_of(pieces, &|c, (part, (a, b))| *part = change(c * CHUNK..c * CHUNK + a.len(), a, b));
 }
 
 /// `change(c, piece)` for every piece of `length` of `out`.
 pub fn update_pieces<T: Send>(out: &mut [T], length: usize, change: impl Fn(usize, &mut [T]) + Sync) {
-    chunks_of(out, length, &change);
+    each_part(out, length, &change);
 }
 
 /// `of(c)` for each of `n` pieces, in order.
