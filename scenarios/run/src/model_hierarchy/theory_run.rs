@@ -135,8 +135,8 @@ fn error_bars(scene: &Scene, body: &Body, theory: &Theory, series: &Series) -> E
     };
     let column = format!("{}.fy_N_per_m", body.name);
     let peak = series.peaks().find(|(name, ..)| *name == column);
-    // a row of the first contact of a round bottom is no peak
-    let peak = peak.filter(|_| !theory.section.is_round());
+    // what lasts shorter than a quoted peak is none
+    let peak = peak.filter(|_| !theory.section.is_round() && theory.bending_flow().is_none());
     let force =
         peak.and_then(|(name, value, _)| bar(QuantityOfInterest::PeakForce, format!("peaks/{name}/value"), value));
     let pressure = |gauge: &Gauge| {
@@ -160,10 +160,11 @@ fn error_bars(scene: &Scene, body: &Body, theory: &Theory, series: &Series) -> E
     force.into_iter().chain(pressures).collect()
 }
 
-/// Time over which peaks are averaged [s] and what it follows from: a key of the scene, and under a round bottom, where water
-/// without sound gives the first contact a peak that is too short to have a meaning, the impact, as of particles (THEORY GE18).
+/// Time over which peaks are averaged [s] and what it follows from: a key of the scene, and under bottoms that are round or bend,
+/// where first contacts and the panels' vibrations give peaks that are too short to have a meaning, the impact, as of particles (THEORY GE18).
 fn averaging(scene: &Scene, theory: &Theory) -> Option<(f64, BandwidthBy)> {
-    let of_impact = || scene.entry().filter(|_| theory.section.is_round()).as_ref().and_then(time_of_impact);
+    let is_short = theory.section.is_round() || theory.bending_flow().is_some();
+    let of_impact = || scene.entry().filter(|_| is_short).as_ref().and_then(time_of_impact);
     let of_scene = scene.report.bandwidth.map(|bandwidth| (CUTOFF / bandwidth, BandwidthBy::Scene));
     of_scene.or_else(|| Some((of_impact()?, BandwidthBy::Impact)))
 }
@@ -172,9 +173,18 @@ fn averaging(scene: &Scene, theory: &Theory) -> Option<(f64, BandwidthBy)> {
 fn results(scene: &Scene, body: &Body, theory: &Theory, bars: &ErrorBars) -> Results {
     let averaging = averaging(scene, theory);
     let (mut forces, mut accelerations) = (RunningIntegral::<2>::default(), RunningIntegral::<1>::default());
-    for (now, motion) in theory.instants.iter().zip(theory.motions(body)) {
-        forces.take(now.time, motion.force);
-        accelerations.take(now.time, [motion.acceleration[1] / STANDARD_GRAVITY]);
+    let mut loads: Vec<([f64; 2], f64)> =
+        theory.motions(body).iter().map(|now| (now.force, now.acceleration[1] / STANDARD_GRAVITY)).collect();
+    // the force on a round bottom begins with a jump; the row of contact is of the time before
+    if let [contact, first, ..] = &mut loads[..]
+        && theory.section.is_round()
+        && contact.0 == [0.0; 2]
+    {
+        *contact = *first;
+    }
+    for (now, (force, acceleration)) in theory.instants.iter().zip(loads) {
+        forces.take(now.time, force);
+        accelerations.take(now.time, [acceleration]);
     }
     // at the contact of a flat keel sound and air decide the peaks; the impulse does not depend on them
     let at_once = theory.section.meets_at_once() || scene.entry().is_some_and(|entry| entry.is_flat());
