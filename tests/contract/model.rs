@@ -57,7 +57,7 @@ fn auto_takes_the_cheapest_model_that_is_right() {
     let (model, why) = chosen(&place, "wedge25", &["want=motion", "within=0.04"]);
     assert!(model == "mlm" && why.contains("wedge25"), "{why}");
     let (model, why) = chosen(&place, "flexible_wedge", &["want=strain"]);
-    assert!(model == "boundary_element" && why.contains("bottoms with panels"), "{why}");
+    assert!(model == "boundary_element" && why.contains("with clamped panels"), "{why}");
     // behind wet chines von Karman's force grows on
     let past = ["body.deadrise_deg=45", "body.breadth=2.01", "want=peak_force", "within=0.1"];
     let (model, why) = chosen(&place, "wedge_constant", &past);
