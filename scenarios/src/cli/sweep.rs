@@ -55,6 +55,10 @@ pub(super) struct SweepArgs {
     /// Run points that have ended again.
     #[arg(long)]
     force: bool,
+    /// Keep the table and each point's numbers and curves, but neither pages nor logs; points by a theory start no process.
+    /// `splashdown report DIR/points/ID` makes a page later.
+    #[arg(long)]
+    lean: bool,
     /// What runs the points.
     #[arg(long, value_enum, default_value_t = EngineName::Local)]
     engine: EngineName,
@@ -80,7 +84,10 @@ pub(super) fn run_sweep(
     program: &[OsString],
 ) -> Result<u8, Stop> {
     if let Some(id) = &args.point {
-        return point::run(&args.sweep, id);
+        return point::run(&args.sweep, id, args.lean);
+    }
+    if args.lean && !matches!(args.engine, EngineName::Local) {
+        return Err(Stop::Input("--lean: expected with --engine local; other engines keep pages and logs".into()));
     }
     let (file, folder) = places(args)?;
     let cores = threads.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, usize::from));
@@ -110,7 +117,7 @@ pub(super) fn run_sweep(
         left.len()
     ));
     let stopped = match args.engine {
-        EngineName::Local => run_local(output, &engine, &left)?,
+        EngineName::Local => run_local(output, &engine, &left, args.lean)?,
         EngineName::Hyperqueue => {
             engine.hyperqueue(&left)?;
             false
@@ -190,7 +197,7 @@ fn points_left<'a>(plan: &'a Plan, folder: &SweepFolder, force: bool) -> Result<
 }
 
 /// Run points by the local pool: whether it was stopped.
-fn run_local(output: &Output, engine: &Engine<'_>, left: &[&str]) -> Result<bool, Stop> {
+fn run_local(output: &Output, engine: &Engine<'_>, left: &[&str], lean: bool) -> Result<bool, Stop> {
     static STOPPED: AtomicBool = AtomicBool::new(false);
     let mut first: Option<Instant> = None;
     let handler = move || {
@@ -206,6 +213,7 @@ fn run_local(output: &Output, engine: &Engine<'_>, left: &[&str]) -> Result<bool
         program: engine.program.clone(),
         jobs: engine.jobs,
         threads: engine.threads,
+        lean,
         stop: &STOPPED,
         ended: &|id, outcome| lines.take(id, outcome),
     };

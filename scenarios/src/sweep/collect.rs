@@ -33,6 +33,8 @@ pub struct PointResult {
     pub threads: Option<usize>,
     /// Name of its folder.
     pub id: Option<String>,
+    /// Its folder holds a page.
+    pub has_page: bool,
     /// Its numbers, by name.
     pub numbers: BTreeMap<String, Number>,
     /// Texts that are tabulated, by name.
@@ -111,6 +113,7 @@ impl Collected {
 /// What stands in the folder of a point.
 struct Found {
     outcome: Outcome,
+    has_page: bool,
     numbers: Vec<(String, Number)>,
     texts: Vec<(String, String)>,
 }
@@ -124,7 +127,8 @@ impl Found {
             State::Running => status("running"),
             State::Waiting => point.outcome().filter(|o| o.status == KILLED).unwrap_or_else(|| status("waiting")),
         };
-        let mut found = Found { outcome, numbers: Vec::new(), texts: Vec::new() };
+        let has_page = point.file("report.html").exists();
+        let mut found = Found { outcome, has_page, numbers: Vec::new(), texts: Vec::new() };
         let has_failed = is_failed(&found.outcome.status);
         if !found.outcome.is_completed() && !has_failed {
             return found;
@@ -178,6 +182,7 @@ fn result(point: &Point, number: usize, found: &HashMap<&str, Found>) -> PointRe
         wall_time_s: outcome.map(|outcome| outcome.wall_time_s).filter(|seconds| seconds.is_finite()),
         threads: outcome.map(|outcome| outcome.threads).filter(|threads| *threads > 0),
         id: point.id.clone(),
+        has_page: found.is_some_and(|found| found.has_page),
         numbers: found.map(|found| found.numbers.iter().cloned().collect()).unwrap_or_default(),
         texts: found.map(|found| found.texts.iter().cloned().collect()).unwrap_or_default(),
     }

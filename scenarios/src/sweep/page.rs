@@ -148,9 +148,9 @@ fn card(collected: &Collected, case: &Worst<'_>, quantity: &Quantity) -> Card {
     }
 }
 
-/// The address of a point's report, from the folder of the sweep.
+/// The address of a point's page, from the folder of the sweep.
 fn report_of(point: &PointResult) -> Option<String> {
-    let id = point.id.as_deref().filter(|_| point.is_completed() || is_failed(&point.status));
+    let id = point.id.as_deref().filter(|_| point.has_page && (point.is_completed() || is_failed(&point.status)));
     id.map(|id| format!("{}/report.html", folder_of(id)))
 }
 

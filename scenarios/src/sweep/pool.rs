@@ -2,6 +2,7 @@
 
 use std::fs::{self, File};
 use std::io::Write;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::{Child, ExitStatus, Stdio};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
@@ -9,7 +10,9 @@ use std::{io, thread};
 
 use super::error::SweepError;
 use super::folder::{KILLED, Outcome, PointFolder, State, SweepFolder};
+use super::plan::Resolved;
 use super::program::Program;
+use super::worker::run_point;
 
 /// How many processes are started for a point; it has failed when all of them have died.
 const ATTEMPTS: usize = 2;
@@ -28,6 +31,8 @@ pub struct Pool<'a> {
     pub jobs: usize,
     /// Threads of each.
     pub threads: usize,
+    /// Keep neither pages nor logs, and run theories without a process.
+    pub lean: bool,
     /// Set from outside to end all processes.
     pub stop: &'a AtomicBool,
     /// Receives the id of each point that ended and how; `None` for one that was stopped.
@@ -72,6 +77,11 @@ impl Pool<'_> {
             return Ok(Some(outcome));
         }
         point.reopen()?;
+        if self.lean
+            && let Some(outcome) = self.here(id, &point)
+        {
+            return Ok(Some(outcome));
+        }
         let start = Instant::now();
         let mut message = String::new();
         for _ in 0..ATTEMPTS {
@@ -90,6 +100,17 @@ impl Pool<'_> {
         Ok(Some(outcome))
     }
 
+    /// Run a theory, whose run is shorter than the start of a process, in this one. `None` for particles, and where it fails: then a
+    /// process of its own says why.
+    fn here(&self, id: &str, point: &PointFolder) -> Option<Outcome> {
+        match point.task().ok()?.resolve().ok()? {
+            Resolved::Scene(loaded) if loaded.scene.model.is_theory() => (),
+            _ => return None,
+        }
+        let run = || run_point(self.folder, id, u64::MAX, true, self.stop, &AtomicBool::new(false));
+        catch_unwind(AssertUnwindSafe(run)).ok()?.ok()?
+    }
+
     /// Starts a process and waits for its end; where it must stop, it ends after the present step.
     fn process(&self, id: &str, point: &PointFolder) -> Result<ExitStatus, SweepError> {
         let path = point.file("stderr.txt");
@@ -102,6 +123,7 @@ impl Pool<'_> {
             &self.threads.to_string(),
             "--quiet",
         ]);
+        command.args(self.lean.then_some("--lean"));
         command.stdin(Stdio::piped()).stdout(Stdio::null()).stderr(stderr);
         let program = &self.program;
         let mut child = command.spawn().map_err(|e| SweepError::Failed(format!("cannot start {program}: {e}")))?;

@@ -14,7 +14,7 @@ use crate::ditching;
 
 /// Run a point of a planned sweep; an interrupted one keeps no outcome, so that it runs again: from its checkpoint, where it has one.
 ///
-/// `memory`: what a scene may need [bytes]; `interrupt` ends the run after the present step; `stepped` is set when the last step has
+/// `memory`: what a scene may need [bytes]; `lean`: keep no page and no log; `interrupt` ends the run after the present step; `stepped` is set when the last step has
 /// been taken.
 ///
 /// # Errors
@@ -23,6 +23,7 @@ pub fn run_point(
     folder: &SweepFolder,
     id: &str,
     memory: u64,
+    lean: bool,
     interrupt: &AtomicBool,
     stepped: &AtomicBool,
 ) -> Result<Option<Outcome>, SweepError> {
@@ -42,7 +43,7 @@ pub fn run_point(
         )));
     }
     let (status, message) = match resolved {
-        Resolved::Scene(loaded) => run_scene(&loaded, &point, memory, interrupt, stepped)?,
+        Resolved::Scene(loaded) => run_scene(&loaded, &point, memory, lean, interrupt, stepped)?,
         Resolved::Landing(landing) => {
             let landed = ditching::run(&landing, point.path(), true);
             landed.map(|landed| (landed.summary.status, landed.summary.message)).map_err(failed)?
@@ -67,6 +68,7 @@ fn run_scene(
     loaded: &Loaded,
     point: &PointFolder,
     memory: u64,
+    lean: bool,
     interrupt: &AtomicBool,
     stepped: &AtomicBool,
 ) -> Result<(Status, Option<String>), SweepError> {
@@ -74,7 +76,8 @@ fn run_scene(
         return Err(SweepError::Failed(error.to_string()));
     }
     let options = RunOptions {
-        page: Some(report::page_of_run),
+        page: (!lean).then_some(report::page_of_run),
+        without_log: lean,
         out: Some(point.path().to_path_buf()),
         force: true,
         interrupt: Some(interrupt),

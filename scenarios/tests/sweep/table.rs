@@ -11,6 +11,28 @@ body.deadrise_deg = [20, 30]
 "body.velocity[1]" = { from = -6, to = -4, step = 1 }
 "#;
 
+/// Points without pages and logs give the same table; a page of one is made later.
+#[test]
+fn a_lean_sweep_keeps_numbers_and_curves() {
+    let (lean, whole) = (Place::new(DROPS), Place::new(DROPS));
+    let [few, all] = [(&lean, &["--lean"][..]), (&whole, &[])].map(|(place, options)| {
+        let (code, _, message) = place.sweep(options);
+        assert_eq!(code, Some(0), "{message}");
+        let text = place.text("out/table.csv");
+        let (_, rows) = csv(&text);
+        rows.iter().map(|row| row[..9].join(" ")).collect::<Vec<_>>()
+    });
+    assert_eq!(few, all);
+    assert_eq!([lean.points_with("report.html").len(), lean.points_with("log.mcap").len()], [0, 0]);
+    assert_eq!([lean.points_with("summary.json").len(), lean.points_with("series.csv").len()], [6, 6]);
+    assert!(!lean.text("out/sweep.html").contains("report.html"), "no link to a page that is not there");
+    let mut page = std::process::Command::new(env!("CARGO_BIN_EXE_splashdown"));
+    let made = page.arg("report").arg(&lean.points_with("summary.json")[0]).output().expect("a program");
+    assert!(made.status.success() && lean.points_with("report.html").len() == 1, "{made:?}");
+    let (code, _, message) = lean.sweep(&["--lean", "--engine", "slurm"]);
+    assert!(code == Some(2) && message.contains("--lean: expected with --engine local"), "{message}");
+}
+
 /// A row for each point, in the order of the file; the worst case; a page with links to the reports.
 #[test]
 fn a_grid_gives_a_table_worst_cases_and_a_page() {

@@ -25,7 +25,7 @@ static STEPPED: AtomicBool = AtomicBool::new(false);
 static FIRST: Mutex<Option<Instant>> = Mutex::new(None);
 
 /// Run a point. A coordinator that ends leaves the process running: its result counts when the sweep continues.
-pub(super) fn run(folder: &Path, id: &str) -> Result<u8, Stop> {
+pub(super) fn run(folder: &Path, id: &str, lean: bool) -> Result<u8, Stop> {
     if id.is_empty() || !id.chars().all(|c| c.is_ascii_hexdigit()) {
         return Err(Stop::Input(format!("--point {id}: expected the name of a folder in {}/points", folder.display())));
     }
@@ -34,7 +34,7 @@ pub(super) fn run(folder: &Path, id: &str) -> Result<u8, Stop> {
         let lines = std::io::stdin().lock().lines();
         lines.map_while(Result::ok).filter(|line| line == STOP).for_each(|_| end());
     });
-    let ended = run_point(&SweepFolder::new(folder), id, available_memory(), &INTERRUPTED, &STEPPED)?;
+    let ended = run_point(&SweepFolder::new(folder), id, available_memory(), lean, &INTERRUPTED, &STEPPED)?;
     match ended {
         Some(outcome) if outcome.is_completed() => Ok(DONE),
         Some(outcome) => Err(Stop::Failed(outcome.message.unwrap_or(outcome.status))),

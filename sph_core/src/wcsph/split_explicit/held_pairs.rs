@@ -6,6 +6,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::hold::Candidates;
 use crate::memory::of_vector;
 use crate::parallel::{self, CHUNK};
 use crate::simd::{self, SimdReal, Task};
@@ -37,6 +38,9 @@ pub(super) struct HeldChunk {
     pub gradient: Vec<[OfBlock; 2]>,
     /// V_a V_b ℓ (r_ab·∇W_ab)/r² [m] (WC4, WC8); empty where ℓ is the distance: [`by_distance`].
     pub diffusion: Vec<OfBlock>,
+    /// Who may meet, until lists are made anew.
+    #[serde(skip)]
+    pub candidates: Candidates,
 }
 
 /// The sums of a target that no acoustic step changes; the rates are those of the start of the advective step.
@@ -61,6 +65,9 @@ pub(super) struct Own {
 pub(super) struct HeldPairs {
     pub chunks: Vec<HeldChunk>,
     pub own: Vec<Own>,
+    /// Number of the lists that the candidates were taken from.
+    #[serde(skip)]
+    pub lists: Option<u64>,
 }
 
 impl HeldPairs {
@@ -156,7 +163,8 @@ impl HeldPairs {
     /// What the weights hold on to [bytes].
     pub fn bytes(&self) -> usize {
         let of = |c: &HeldChunk| {
-            of_vector(&c.start) + of_vector(&c.neighbour) + of_vector(&c.gradient) + of_vector(&c.diffusion)
+            let weights = of_vector(&c.gradient) + of_vector(&c.diffusion);
+            of_vector(&c.start) + of_vector(&c.neighbour) + weights + c.candidates.bytes()
         };
         of_vector(&self.own) + of_vector(&self.chunks) + self.chunks.iter().map(of).sum::<usize>()
     }
@@ -176,7 +184,7 @@ impl HeldChunk {
 
     /// No entries yet, and room for as many as `most`; what is far too much is given back.
     pub fn clear(&mut self, most: usize, diffuses: bool) {
-        let HeldChunk { start, neighbour, gradient, diffusion } = self;
+        let HeldChunk { start, neighbour, gradient, diffusion, .. } = self;
         if neighbour.capacity() > most + most / 2 {
             *self = HeldChunk::default();
             return self.clear(most, diffuses);

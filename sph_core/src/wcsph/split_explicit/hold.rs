@@ -8,28 +8,35 @@ use crate::interactions::dissipation::{Dissipation, PairDissipation, WithPairs, 
 use crate::interactions::geometry::{MeanScale, PairConstants, PairGeometry, ScaleRule};
 use crate::interactions::packed_particle::PackedParticle;
 use crate::kernel::{self, Kernel, Shape};
+use crate::memory::of_vector;
 use crate::neighbours::lists::Lists;
 use crate::parallel::{self, CHUNK};
 use crate::simd::{LANES, SimdReal, Task};
 
 /// Take the geometry of the packed particles, which move with the water and with the `shift_velocity` [m/s] (WC26).
 pub(super) fn hold(
-    HeldPairs { chunks, own }: &mut HeldPairs,
+    HeldPairs { chunks, own, lists: known }: &mut HeldPairs,
     (kernel, dissipation, simd): (Kernel, Dissipation, bool),
     (fluid, shift_velocity): (&[PackedParticle], &[[f64; 2]]),
-    lists: &Lists,
+    (lists, number): (&Lists, u64),
     constants: PairConstants,
 ) {
     let n = lists.targets();
+    let lists = (*known != Some(number)).then_some(lists);
+    *known = Some(number);
     chunks.resize(n.div_ceil(CHUNK), HeldChunk::default());
     own.resize(n, Own::default());
     with_pairs(kernel, dissipation, Hold { fluid, shift_velocity, lists, constants, simd, chunks, own });
 }
 
+/// Square of a distance that rounding does not take for one within reach [-].
+const JUST_BEYOND: f64 = 1.0 + 1e-9;
+
 struct Hold<'a> {
     fluid: &'a [PackedParticle],
     shift_velocity: &'a [[f64; 2]],
-    lists: &'a Lists,
+    /// Those that the candidates are not yet taken from.
+    lists: Option<&'a Lists>,
     constants: PairConstants,
     simd: bool,
     chunks: &'a mut [HeldChunk],
@@ -42,15 +49,18 @@ impl WithPairs for Hold<'_> {
         let pieces: Vec<_> = chunks.iter_mut().zip(own.chunks_mut(CHUNK)).collect();
         parallel::each_piece(pieces, |c, (held, own)| {
             let (first, pairs) = (c * CHUNK, PhantomData);
-            let candidates = Candidates::of(lists, first, own.len(), |k| fluid[k].h);
-            let chunk = HoldChunk::<K, D> { fluid, shift_velocity, constants, first, candidates, held, own, pairs };
+            if let Some(lists) = lists {
+                held.candidates = Candidates::of(lists, first, own.len(), |k| fluid[k].h);
+            }
+            let chunk = HoldChunk::<K, D> { fluid, shift_velocity, constants, first, held, own, pairs };
             kernel::run_sums::<K, _>(simd, chunk);
         });
     }
 }
 
 /// Everyone whom the targets of each block of a chunk may meet.
-struct Candidates {
+#[derive(Clone, Debug, Default)]
+pub(super) struct Candidates {
     start: Vec<u32>,
     /// Index, and a bit for each target that may meet it.
     found: Vec<(u32, u8)>,
@@ -85,6 +95,11 @@ impl Candidates {
         }
         Candidates { start, found, alike }
     }
+
+    /// What they hold on to [bytes].
+    pub fn bytes(&self) -> usize {
+        of_vector(&self.start) + of_vector(&self.found) + of_vector(&self.alike)
+    }
 }
 
 struct HoldChunk<'a, K, D> {
@@ -92,7 +107,6 @@ struct HoldChunk<'a, K, D> {
     shift_velocity: &'a [[f64; 2]],
     constants: PairConstants,
     first: usize,
-    candidates: Candidates,
     held: &'a mut HeldChunk,
     own: &'a mut [Own],
     pairs: PhantomData<(K, D)>,
@@ -102,8 +116,9 @@ impl<K: Shape, D: PairDissipation> Task for HoldChunk<'_, K, D> {
     type Out = ();
     #[inline(always)]
     fn run<R: SimdReal>(self, zero: R) {
-        let HoldChunk { fluid, shift_velocity, constants, first, candidates, held, own, .. } = self;
-        let Candidates { start, found, alike } = candidates;
+        let HoldChunk { fluid, shift_velocity, constants, first, held, own, .. } = self;
+        let candidates = std::mem::take(&mut held.candidates);
+        let Candidates { start, found, alike } = &candidates;
         let weight = constants.gravity.map(|g| zero.of(constants.rho0 * g));
         held.clear(found.len(), !D::LENGTH_IS_DISTANCE);
         let mut kept = 0;
@@ -122,6 +137,14 @@ impl<K: Shape, D: PairDissipation> Task for HoldChunk<'_, K, D> {
             let mut rates = [[zero; 3]; BLOCK];
             for &(j, meets) in &found[start[b] as usize..start[b + 1] as usize] {
                 let (row, [shift_u, shift_v]) = (&fluid[j as usize], shift_velocity[j as usize]);
+                let mut within_reach = 0;
+                for a in &targets[..BLOCK / R::WIDTH] {
+                    let (dx, dy, reach) = (a.x - zero.of(row.x), a.y - zero.of(row.y), a.h + zero.of(row.h));
+                    within_reach |= dx.mul_add(dx, dy * dy).less(reach * reach * zero.of(JUST_BEYOND));
+                }
+                if within_reach == 0 {
+                    continue; // lists reach farther than the kernel
+                }
                 let (mut gradient, mut diffusion) = ([OfBlock::default(); 2], OfBlock::default());
                 let mut offsets = [[zero; 2]; BLOCK];
                 for l in 0..BLOCK / R::WIDTH {
@@ -175,5 +198,6 @@ impl<K: Shape, D: PairDissipation> Task for HoldChunk<'_, K, D> {
             }
         }
         held.truncate(kept);
+        held.candidates = candidates;
     }
 }
