@@ -38,7 +38,7 @@ pub(super) struct HeldChunk {
     pub gradient: Vec<[OfBlock; 2]>,
     /// V_a V_b ℓ (r_ab·∇W_ab)/r² [m] (WC4, WC8); empty where ℓ is the distance: [`by_distance`].
     pub diffusion: Vec<OfBlock>,
-    /// Who may meet, until lists are made anew.
+    /// Who may meet, until lists are made again.
     #[serde(skip)]
     pub candidates: Candidates,
 }

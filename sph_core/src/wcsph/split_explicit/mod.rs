@@ -46,7 +46,7 @@ use crate::walls::Walls;
 
 /// Advective steps that neighbour lists are made to last.
 const LISTS_LAST: f64 = 3.2;
-/// Skin of a particle at rest [h]: wide enough for the shifts of newly split particles. Narrower, lists are made anew in most advective
+/// Skin of a particle at rest [h]: wide enough for the shifts of newly split particles. Narrower, lists are made again in most advective
 /// steps (0.08: in 380 of 485 of `wedge`); wider, sums meet more pairs that are out of reach.
 const WIDE_SKIN: f64 = 0.14;
 
