@@ -143,7 +143,8 @@ pub(crate) fn for_each_chunk_with<T: Send, S: Default + Send>(
     let spare = Mutex::new(Vec::<S>::new());
     let all = || spare.lock().expect("no panic under this lock");
     each_part(lists, 1, &|c, list| {
-        let mut with = all().pop().unwrap_or_default();
+        let spare = all().pop();
+        let mut with = spare.unwrap_or_default();
         fill(&mut with, chunk(c, CHUNK, n), &mut list[0]);
         all().push(with);
     });

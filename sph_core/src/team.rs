@@ -11,22 +11,21 @@
 #![allow(unsafe_code)]
 
 use std::any::Any;
-use std::cell::{Cell, UnsafeCell};
+use std::cell::{Cell, RefCell, UnsafeCell};
 use std::hint::spin_loop;
 use std::marker::PhantomData;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::time::Duration;
+use std::sync::{Arc, Mutex};
 
 use rayon::prelude::*;
 
-/// Looks for work before a thread lets others run, each time.
+/// Looks for work before a thread lets others run.
 const LOOKS: u32 = 2000;
-
-/// Such turns before a thread sleeps, and how long.
+/// Such turns without a loop after which a member leaves, some 30 ms.
 const TURNS: u32 = 1000;
-const NAP: Duration = Duration::from_micros(100);
+/// Loops after which members who left are called again.
+const CALL_EVERY: usize = 64;
 
 /// What is done with chunk c.
 type Work<'a> = dyn Fn(usize) + Sync + 'a;
@@ -43,9 +42,8 @@ struct Loop {
 struct Share(AtomicUsize);
 
 struct Team {
-    /// Of each thread of the pool.
+    /// Of each thread of the pool; the leader's is its own, or the first where it is no thread of the pool.
     shares: Box<[Share]>,
-    /// The thread that begins loops.
     leader: usize,
     /// Written by the leader while no share has a chunk left and none is at work; read by who has taken a chunk.
     current: UnsafeCell<Option<Loop>>,
@@ -53,17 +51,24 @@ struct Team {
     unfinished: AtomicUsize,
     /// The leader's task is over.
     over: AtomicBool,
-    /// What the first chunk that panicked says.
+    /// Threads of the pool that wait for loops, those that were called and have not come, and loops so far.
+    members: AtomicUsize,
+    called: AtomicUsize,
+    loops: AtomicUsize,
+    /// A chunk of this loop panicked, and what the first one says.
+    failed: AtomicBool,
     panic: Mutex<Option<Box<dyn Any + Send>>>,
 }
 
-// SAFETY: `current` is written by the leader alone, when no member can read it: see `Team::each` and `Team::take`. The closure it
-// points to is `Sync`.
+// SAFETY: `current` is written by the leader alone, when no member can read it: see `Team::each` and `Team::work_as`. The closure that
+// it points to is `Sync`.
 unsafe impl Sync for Team {}
+// SAFETY: as above; the pointer is not followed after the loop it belongs to.
+unsafe impl Send for Team {}
 
 thread_local! {
-    /// The team that this thread leads; dangling after the task, and so taken away with it.
-    static LEADS: Cell<Option<*const Team>> = const { Cell::new(None) };
+    /// The team that this thread leads.
+    static LEADS: RefCell<Option<Arc<Team>>> = const { RefCell::new(None) };
     /// This thread is at work for a team: loops within a chunk are done by itself.
     static AT_WORK: Cell<bool> = const { Cell::new(false) };
 }
@@ -76,8 +81,22 @@ impl Team {
             current: UnsafeCell::new(None),
             unfinished: AtomicUsize::new(0),
             over: AtomicBool::new(false),
+            members: AtomicUsize::new(0),
+            called: AtomicUsize::new(0),
+            loops: AtomicUsize::new(0),
+            failed: AtomicBool::new(false),
             panic: Mutex::new(None),
         }
+    }
+
+    /// Call the threads of the pool. Who is busy comes later, or not at all.
+    fn call(self: &Arc<Team>) {
+        self.called.store(self.shares.len(), Ordering::Relaxed);
+        let team = Arc::clone(self);
+        rayon::spawn_broadcast(move |thread| {
+            team.called.fetch_sub(1, Ordering::Relaxed);
+            team.join(thread.index());
+        });
     }
 
     /// End of a member's share of `chunks`.
@@ -86,7 +105,14 @@ impl Team {
     }
 
     /// `work(c)` for each of `chunks`, by the leader and who else has time. Returns when all are done.
-    fn each(&self, chunks: usize, work: &Work<'_>) {
+    fn each(self: &Arc<Team>, chunks: usize, work: &Work<'_>) {
+        let are_missing = self.members.load(Ordering::Relaxed) + 1 < self.shares.len();
+        if self.loops.fetch_add(1, Ordering::Relaxed).is_multiple_of(CALL_EVERY)
+            && are_missing
+            && self.called.load(Ordering::Relaxed) == 0
+        {
+            self.call();
+        }
         let work: *const Work<'_> = work;
         // SAFETY: only the lifetime changes. The pointer is followed for chunks of this loop alone, and this function returns when
         // all of them are done. No thread reads `current` now: a member reads it after it took a chunk and before that is done, and all
@@ -103,9 +129,11 @@ impl Team {
             from = end;
         }
         self.work_as(self.leader);
-        look(|| self.unfinished.load(Ordering::Acquire) == 0);
-        if let Some(panic) = self.panic.lock().expect("no panic under this lock").take() {
-            resume_unwind(panic);
+        while !within(TURNS, || self.unfinished.load(Ordering::Acquire) == 0) {}
+        if self.failed.swap(false, Ordering::Relaxed) {
+            // the lock is given back before the panic goes on
+            let panic = self.panic.lock().expect("no panic under this lock").take();
+            resume_unwind(panic.expect("what the first panic says"));
         }
     }
 
@@ -118,21 +146,24 @@ impl Team {
         share.fetch_update(Ordering::Acquire, Ordering::Relaxed, |left| left.checked_sub(1)).ok()
     }
 
-    /// Do what is left of the loop, one's own share first.
+    /// Do what is left of the loop, one's own share first. Must not panic before it has said what is done: chunks do within a catch.
     fn work_as(&self, member: usize) {
         let (threads, mut done) = (self.shares.len(), 0);
         AT_WORK.set(true);
         for of in (0..threads).map(|k| (member + k) % threads) {
             while let Some(left) = self.take(of) {
+                done += 1;
+                if self.failed.load(Ordering::Relaxed) {
+                    continue;
+                }
                 // SAFETY: a chunk that is taken and not done keeps the loop, and with it the leader in `each`. Taking it (Acquire)
                 // comes after the writing of `current` (Release of its share).
                 let Loop { work, chunks } = unsafe { *self.current.get() }.expect("a loop with chunks");
                 let c = self.end_of(of, chunks) - left;
                 let work = AssertUnwindSafe(unsafe { &*work });
                 if let Err(panic) = catch_unwind(|| work(c)) {
-                    self.panic.lock().expect("no panic under this lock").get_or_insert(panic);
+                    self.keep(panic);
                 }
-                done += 1;
             }
         }
         AT_WORK.set(false);
@@ -141,60 +172,71 @@ impl Team {
         }
     }
 
-    /// Work for the leader until its task is over.
+    /// Keep what the first panic says; later ones are leaked, since dropping them may panic.
+    fn keep(&self, panic: Box<dyn Any + Send>) {
+        let mut first = self.panic.lock().expect("no panic under this lock");
+        match &*first {
+            None => *first = Some(panic),
+            Some(_) => std::mem::forget(panic),
+        }
+        self.failed.store(true, Ordering::Relaxed);
+    }
+
+    /// Work for the leader until its task is over or no loop comes for long: who waits here may keep others waiting.
     fn join(&self, member: usize) {
-        // the leader, and who works for another team and waits, would wait for itself
-        if LEADS.get().is_some() || AT_WORK.get() {
+        if member == self.leader || AT_WORK.get() || leads().is_some() {
             return;
         }
+        self.members.fetch_add(1, Ordering::Relaxed);
         let has_work = || self.shares[member].0.load(Ordering::Relaxed) > 0;
-        loop {
-            look(|| has_work() || self.over.load(Ordering::Relaxed));
-            if !has_work() {
-                return;
-            }
+        while within(TURNS, || has_work() || self.over.load(Ordering::Relaxed)) && !self.over.load(Ordering::Relaxed) {
             self.work_as(member);
         }
+        self.members.fetch_sub(1, Ordering::Relaxed);
     }
 }
 
-/// Wait for something: awake, then letting others run from time to time, and where nothing comes for long, asleep.
-fn look(is: impl Fn() -> bool) {
-    for turn in 0_u32.. {
+fn leads() -> Option<Arc<Team>> {
+    LEADS.with_borrow(Option::clone)
+}
+
+/// Wait for something, awake, letting others run after each turn: false if it does not come within some `turns`.
+fn within(turns: u32, is: impl Fn() -> bool) -> bool {
+    for _ in 0..turns {
         for _ in 0..LOOKS {
             if is() {
-                return;
+                return true;
             }
             spin_loop();
         }
-        if turn < TURNS { std::thread::yield_now() } else { std::thread::sleep(NAP) }
+        std::thread::yield_now();
     }
+    false
 }
 
-/// Do `task` as the leader of a team of all threads of this thread's pool; must be called on one of them.
+/// Do `task` as the leader of a team of the pool's threads.
 fn lead<T>(task: impl FnOnce() -> T) -> T {
     /// Ends the team, also when the task panics.
-    struct Leading<'a>(&'a Team);
-    impl Drop for Leading<'_> {
+    struct Leading(Arc<Team>);
+    impl Drop for Leading {
         fn drop(&mut self) {
             LEADS.set(None);
             self.0.over.store(true, Ordering::Relaxed);
         }
     }
-    let (threads, own) = (rayon::current_num_threads(), rayon::current_thread_index());
-    let Some(own) = own.filter(|_| threads > 1 && LEADS.get().is_none() && !AT_WORK.get()) else { return task() };
-    let team = &Team::of(threads, own);
-    rayon::in_place_scope(|scope| {
-        scope.spawn_broadcast(|_, member| team.join(member.index()));
-        LEADS.set(Some(team));
-        let _leading = Leading(team);
-        task()
-    })
+    if AT_WORK.get() || leads().is_some() {
+        return task();
+    }
+    let own = rayon::current_thread_index().unwrap_or(0);
+    let team = Arc::new(Team::of(rayon::current_num_threads(), own));
+    LEADS.set(Some(Arc::clone(&team)));
+    let _leading = Leading(team);
+    task()
 }
 
-/// Do `task` on a thread of the pool with the others as its team: the loops inside then start without waking the pool each time.
+/// Do `task` with the pool's threads as this thread's team: the loops inside then start without waking the pool each time.
 pub fn within_pool<T: Send>(task: impl FnOnce() -> T + Send) -> T {
-    if rayon::current_thread_index().is_some() { task() } else { rayon::scope(|_| lead(task)) }
+    if rayon::current_thread_index().is_some() { task() } else { lead(task) }
 }
 
 /// Do `task` with a pool of `threads` of its own.
@@ -205,10 +247,11 @@ pub fn on_threads<T: Send>(threads: usize, task: impl FnOnce() -> T + Send) -> T
 
 /// `work(c)` for each of `chunks`, by this thread's team or else its pool.
 pub(crate) fn each_chunk(chunks: usize, work: &Work<'_>) {
-    match LEADS.get() {
-        _ if chunks == 1 || AT_WORK.get() => (0..chunks).for_each(work),
-        // SAFETY: `lead` sets the pointer for the time of its task alone, and holds the team all that time.
-        Some(team) => unsafe { &*team }.each(chunks, work),
+    if chunks == 1 || AT_WORK.get() {
+        return (0..chunks).for_each(work);
+    }
+    match leads() {
+        Some(team) => team.each(chunks, work),
         None => (0..chunks).into_par_iter().for_each(work),
     }
 }
@@ -221,7 +264,7 @@ struct Parts<'a, T> {
     array: PhantomData<&'a mut [T]>,
 }
 
-// SAFETY: it hands out parts that do not overlap, each to one thread.
+// SAFETY: by the contract of `get` it hands out each part once, and parts do not overlap.
 unsafe impl<T: Send> Sync for Parts<'_, T> {}
 
 impl<'a, T> Parts<'a, T> {
@@ -298,17 +341,55 @@ mod tests {
         assert!((0..50).all(|c| sums[c] == 100 * c));
     }
 
+    /// A pool's thread that waits in a loop of the pool's own may be called to a team meanwhile: it leaves it again.
+    #[test]
+    fn loops_of_the_pool_and_of_teams_end_beside_each_other() {
+        for _ in 0..20 {
+            let sum = on_threads(4, || {
+                let of_pool: usize = (0..64_usize).into_par_iter().map(|k| within_pool(|| k)).sum();
+                let mut counts = [0; 500];
+                each_part(&mut counts, 1, &|_, part| part[0] += 1);
+                rayon::broadcast(|_| ());
+                of_pool + counts.iter().sum::<usize>()
+            });
+            assert_eq!(sum, 64 * 63 / 2 + 500);
+        }
+    }
+
+    #[test]
+    fn runs_beside_each_other_need_not_wait_for_each_other() {
+        let (to_second, first) = std::sync::mpsc::channel();
+        let (to_first, second) = std::sync::mpsc::channel();
+        std::thread::scope(|scope| {
+            let run = |task: Box<dyn FnOnce() + Send>| scope.spawn(|| within_pool(task));
+            run(Box::new(move || {
+                each_chunk(100, &|_| ());
+                to_second.send(()).expect("the second run");
+                second.recv().expect("the second run");
+            }));
+            run(Box::new(move || {
+                first.recv().expect("the first run");
+                each_chunk(100, &|_| ());
+                to_first.send(()).expect("the first run");
+            }));
+        });
+    }
+
     #[test]
     fn a_panic_reaches_the_leader_and_ends_the_team() {
-        let of = |bad: usize| {
-            on_threads(3, || {
-                each_chunk(100, &|_| ());
-                each_chunk(100, &|c| assert!(c != bad, "chunk {c}"));
-                bad
-            })
-        };
+        let of = |bad: usize| on_threads(3, || each_chunk(100, &|c| assert!(c != bad, "chunk {c}")));
+        // the team goes on after a panic that is caught within its task
+        on_threads(3, || {
+            for bad in [3, 50] {
+                let caught = catch_unwind(|| each_chunk(100, &|c| assert!(c != bad && c != 99, "chunk {c}")));
+                assert!(caught.is_err());
+                let mut counts = [0; 200];
+                each_part(&mut counts, 2, &|_, part| part.fill(1));
+                assert_eq!(counts, [1; 200]);
+            }
+        });
         let panic = catch_unwind(|| of(71)).expect_err("a panic");
         assert_eq!(panic.downcast_ref::<String>().map(String::as_str), Some("chunk 71"));
-        assert_eq!(of(100), 100);
+        of(100);
     }
 }
