@@ -34,6 +34,9 @@ pub struct FlowEntry<'a> {
     pub density: f64,
 }
 
+/// Draught over the breadth below which a section starts at the water [-].
+const TOUCHES: f64 = 1e-6;
+
 /// A section at the times asked for as far as its flow was followed, its steps, and why not further.
 pub type Followed = (Vec<Instant>, FlowHistory, Option<OutOfRange>);
 
@@ -74,6 +77,9 @@ impl FlowEntry<'_> {
         let mut best: Option<Result<Found, OutOfRange>> = None;
         let reached = |found: &Result<Found, OutOfRange>| found.as_ref().map_or(0, |found| found.followed.0.len());
         EntryModel::BoundaryElement.covers(self.section, 0.0)?;
+        if self.draught > 0.0 && self.draught < TOUCHES * 2.0 * self.section.half_breadth() {
+            return FlowEntry { draught: 0.0, motion: self.motion.clone(), ..*self }.solve(times);
+        }
         for keel in keels(self.section) {
             let found = self.solve_with(keel, times);
             // another keel does not help a flow that ended for a reason of its own
@@ -92,6 +98,14 @@ impl FlowEntry<'_> {
     /// The same with a keel under a blunt bottom.
     fn solve_with(&self, keel: AddedKeel, times: &[f64]) -> Result<Found, OutOfRange> {
         let end = times.last().copied().unwrap_or(0.0);
+        let first = EntryFlow::first_draught(self.section, keel).unwrap_or(0.0);
+        if self.draught > 0.0 && self.draught < first {
+            return Err(OutOfRange {
+                what: format!("one that starts {:.4} m deep, where its flow begins {first:.4} m deep", self.draught),
+                range: "blunt sections that start over or at the water, or deeper".into(),
+                next: EntryModel::Wcsph,
+            });
+        }
         let start = [self.draught, self.speed];
         let [g, in_air, in_fall] = self.motion.contact(start, self.gravity);
         let kept = if self.draught <= 0.0 { self.motion.kept_at_contact(self.section, self.density) } else { 1.0 };
@@ -162,7 +176,7 @@ impl FlowEntry<'_> {
     /// the time `left` [s] in the water.
     fn begin(&self, at_contact: f64, left: f64, g: f64, keel: AddedKeel) -> f64 {
         match (self.draught, EntryFlow::first_draught(self.section, keel)) {
-            (draught, first) if draught > 0.0 => draught.max(first.unwrap_or(0.0)),
+            (draught, _) if draught > 0.0 => draught,
             (_, Some(first)) => first,
             (draught, None) => {
                 let wet = |x: f64| self.section.wagner_draught(x);

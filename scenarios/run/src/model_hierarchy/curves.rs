@@ -3,6 +3,7 @@
 use scene::{Motion, QuantityOfInterest, Scene};
 use water_entry::EntryModel;
 
+use super::largest_mean::{Averaging, doubt};
 use super::{Measured, Theory};
 
 /// Largest difference of the force on a round bottom from particles at constant speed (case `arc_constant`, five windows of the draught) and in
@@ -20,6 +21,8 @@ const ROUND_PEAK_ERRORS: [f64; 2] = [0.03, 0.055];
 /// The same of ellipses and ovoids given by points: force from a twentieth of the half breadth on, four of them, and speed, three of them [-].
 const CURVE_ERROR: f64 = 0.03;
 const CURVE_DROP_ERROR: f64 = 0.01;
+/// Least mass of those arcs over ρR², and of the curves over ρ times the square of the half breadth [-].
+const LEAST_MASSES: [f64; 2] = [0.2, 0.5];
 /// Largest force on curves with a keel, of four of them [-].
 const CURVE_PEAK_ERROR: f64 = 0.045;
 /// The same of curves with a keel of 12 to 28 degrees, of five of them: force and speed [-], and the least angle of the keel [deg].
@@ -61,6 +64,8 @@ pub(super) fn of_round_bottom(scene: &Scene, theory: &Theory, want: QuantityOfIn
         }
         // sound and air decide it
         (QuantityOfInterest::PeakForce, _) if scene.entry().is_none_or(|entry| entry.is_flat()) => None,
+        (QuantityOfInterest::PeakForce, _) if is_lighter_than_measured(scene, theory) => None,
+        (QuantityOfInterest::PeakForce, _) if is_doubted(scene, theory) => None,
         (QuantityOfInterest::PeakForce, Some(_)) => {
             error(ROUND_PEAK_ERRORS[0], "the mean force of the first contact of eight arcs, against particles")
         }
@@ -69,6 +74,23 @@ pub(super) fn of_round_bottom(scene: &Scene, theory: &Theory, want: QuantityOfIn
         }
         _ => None,
     }
+}
+
+/// A falling body that is lighter, over the water's density and the square of the radius or half breadth, than those that were measured.
+fn is_lighter_than_measured(scene: &Scene, theory: &Theory) -> bool {
+    let least = match theory.section.radius() {
+        Some(radius) => LEAST_MASSES[0] * radius.powi(2),
+        None => LEAST_MASSES[1] * theory.section.half_breadth().powi(2),
+    };
+    scene.body.as_ref().is_some_and(|body| match &body.motion {
+        Motion::Free(freedom) => freedom.mass < least * scene.water().density,
+        _ => false,
+    })
+}
+
+/// Does something speak against the largest force, such as a start in the water or a run that is too short?
+fn is_doubted(scene: &Scene, theory: &Theory) -> bool {
+    scene.body.as_ref().is_some_and(|body| doubt(scene, body, theory, Averaging::of(scene, theory)).is_some())
 }
 
 /// Under a flat keel, which all meets the water at once, only speeds were measured.

@@ -19,6 +19,7 @@ mod bending_flow;
 mod choose;
 mod curves;
 mod elastic_wedge;
+mod largest_mean;
 mod measured;
 mod measured_error;
 mod rolled;

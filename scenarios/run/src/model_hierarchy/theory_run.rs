@@ -4,17 +4,18 @@ use std::time::Instant as Clock;
 
 use scene::reference::WedgeSimilarity;
 use scene::validity::panels::panel_results_within;
-use scene::vocabulary::{BandwidthBy, CUTOFF, Doubt, Doubts, Quantity, ResultName, Results, Status, Verdict};
+use scene::vocabulary::{CUTOFF, Doubt, Doubts, Quantity, ResultName, Results, Status, Verdict};
 use scene::{Body, Gauge, Motion, QuantityOfInterest, Scene};
 use settings::significant;
 use water_entry::Instant;
 
+use super::largest_mean::{Averaging, Largest, doubt, largest};
 use super::{Measured, Theory, measured};
 use crate::compare::{self, ReferenceCurve};
 use crate::error_bar::{ErrorBar, ErrorBars};
 use crate::log::{BodyView, Frame, Logged};
 use crate::observers::{ObserveError, Series, SimilarityResult, body_values, create_log, mean_and_deviation};
-use crate::results::{Extreme, OF_FREE_FALL, RunningIntegral, STANDARD_GRAVITY, time_of_impact};
+use crate::results::{OF_FREE_FALL, RunningIntegral};
 use crate::summary::{Log, Peak, Summary};
 use crate::{Outcome, RunError, RunOptions};
 
@@ -58,8 +59,9 @@ pub(crate) fn run(
     let bars = error_bars(scene, body, &theory, &series);
     let end = theory.instants.last().map_or(0.0, |i| i.time);
     let detailed = detailed(scene, &theory)?;
-    let results = results(scene, body, detailed.as_ref().unwrap_or(&theory), &bars);
+    let (results, of_peaks) = results(scene, body, detailed.as_ref().unwrap_or(&theory), &bars);
     let (mut results, mut doubts) = with_panels(results, scene, &theory);
+    doubts.extend(of_peaks);
     if body.is_free() {
         doubts.extend(results.still_growing([0.0, end]));
         doubts.extend(still_falling(&mut results, body, &theory));
@@ -102,7 +104,9 @@ const LEAST_INSTANTS: f64 = 500.0;
 
 /// The theory at more instants, where a scene's rows are few.
 fn detailed(scene: &Scene, theory: &Theory) -> Result<Option<Theory>, RunError> {
-    let every = scene.time.end / LEAST_INSTANTS;
+    let of_mean = Averaging::of(scene, theory).filter(|_| theory.section.is_round());
+    let of_mean = of_mean.map_or(f64::INFINITY, |averaging| averaging.longest_row(scene.time.end));
+    let every = (scene.time.end / LEAST_INSTANTS).min(of_mean);
     if scene.time.sample_every <= every * (1.0 + 1e-9) {
         return Ok(None);
     }
@@ -160,35 +164,18 @@ fn error_bars(scene: &Scene, body: &Body, theory: &Theory, series: &Series) -> E
     force.into_iter().chain(pressures).collect()
 }
 
-/// Time over which peaks are averaged [s] and what it follows from: a key of the scene, and under bottoms that are round or bend,
-/// where first contacts and the panels' vibrations give peaks that are too short to have a meaning, the impact, as of particles (THEORY GE18).
-fn averaging(scene: &Scene, theory: &Theory) -> Option<(f64, BandwidthBy)> {
-    let is_short = theory.section.is_round() || theory.bending_flow().is_some();
-    let of_impact = || scene.entry().filter(|_| is_short).as_ref().and_then(time_of_impact);
-    let of_scene = scene.report.bandwidth.map(|bandwidth| (CUTOFF / bandwidth, BandwidthBy::Scene));
-    of_scene.or_else(|| Some((of_impact()?, BandwidthBy::Impact)))
-}
-
 /// Results of a theory.
-fn results(scene: &Scene, body: &Body, theory: &Theory, bars: &ErrorBars) -> Results {
-    let averaging = averaging(scene, theory);
-    let (mut forces, mut accelerations) = (RunningIntegral::<2>::default(), RunningIntegral::<1>::default());
-    let mut loads: Vec<([f64; 2], f64)> =
-        theory.motions(body).iter().map(|now| (now.force, now.acceleration[1] / STANDARD_GRAVITY)).collect();
-    // the force on a round bottom begins with a jump; the row of contact is of the time before
-    if let [contact, first, ..] = &mut loads[..]
-        && theory.section.is_round()
-        && contact.0 == [0.0; 2]
-    {
-        *contact = *first;
-    }
-    for (now, (force, acceleration)) in theory.instants.iter().zip(loads) {
-        forces.take(now.time, force);
-        accelerations.take(now.time, [acceleration]);
-    }
+fn results(scene: &Scene, body: &Body, theory: &Theory, bars: &ErrorBars) -> (Results, Vec<Doubt>) {
+    let averaging = Averaging::of(scene, theory);
+    let largest = largest(scene, body, theory, averaging.map(|averaging| averaging.time));
+    let doubted = largest.and_then(|_| doubt(scene, body, theory, averaging));
     // at the contact of a flat keel sound and air decide the peaks; the impulse does not depend on them
     let at_once = theory.section.meets_at_once() || scene.entry().is_some_and(|entry| entry.is_flat());
-    let of_peak = if at_once { Verdict::Acoustic } else { Verdict::Resolved };
+    let of_peak = match &doubted {
+        _ if at_once => Verdict::Acoustic,
+        Some((verdict, _)) => *verdict,
+        None => Verdict::Resolved,
+    };
     let with_verdict = |verdict: Verdict, value: f64, time_s: Option<f64>, band: Option<f64>| {
         Quantity { value, time_s, band, cutoff_hz: None, raw: value, verdict, allowed: None }.with_known_band()
     };
@@ -196,33 +183,35 @@ fn results(scene: &Scene, body: &Body, theory: &Theory, bars: &ErrorBars) -> Res
         |value: f64, time_s: Option<f64>, band: Option<f64>| with_verdict(Verdict::Resolved, value, time_s, band);
     // an acceleration and an impulse are as good as the force
     let share = measured(scene, theory, QuantityOfInterest::PeakForce).map(|found| reach(found.error));
-    let peak = |raw: Option<Extreme>, mean: Option<Extreme>, subtracted: f64| {
-        let (raw, peak) = (raw?, mean?);
-        let band = share.map(|share| share * (peak.value + subtracted));
-        Some(Quantity {
-            raw: raw.value,
-            cutoff_hz: averaging.map(|(time, _)| CUTOFF / time),
-            ..with_verdict(of_peak, peak.value, Some(peak.time), band)
-        })
+    let is_unmeasured = averaging.is_some_and(|averaging| averaging.is_unmeasured(scene, theory));
+    let of_mean = share.filter(|_| of_peak == Verdict::Resolved && !is_unmeasured);
+    let peak = |Largest { mean, row }: Largest, subtracted: f64| Quantity {
+        raw: row.value,
+        cutoff_hz: averaging.map(|averaging| CUTOFF / averaging.time),
+        ..with_verdict(of_peak, mean.value, Some(mean.time), of_mean.map(|share| share * (mean.value + subtracted)))
     };
-    let time = averaging.map(|(time, _)| time);
-    let mean = time.map_or(forces.largest(), |time| forces.largest_mean(time));
-    let mean_of_acceleration = time.map_or(accelerations.largest(), |time| accelerations.largest_mean(time));
     let free = matches!(body.motion, Motion::Free(_));
     // formulas were measured on faces alone: their force past wet chines, and the impulse with it, was not
     let of_impulse = share.filter(|_| !(theory.wets_chines() && theory.model.is_formula()));
+    let mut forces = RunningIntegral::<2>::default();
+    theory.instants.iter().zip(theory.motions(body)).for_each(|(now, motion)| forces.take(now.time, motion.force));
     let [x, y] = forces.total();
     let impulse = x.hypot(impulse_of_momentum(scene, body, theory).unwrap_or(y + theory.impulse_at_contact()));
     let gauges = bars.iter().filter(|(path, _)| path.ends_with(".p_Pa/value"));
     let pressure = gauges.max_by(|(_, a), (_, b)| a.value.total_cmp(&b.value));
     let all = [
-        (ResultName::PeakForce, peak(forces.largest(), mean, 0.0)),
-        (ResultName::PeakAcceleration, peak(accelerations.largest(), mean_of_acceleration, 1.0).filter(|_| free)),
+        (ResultName::PeakForce, largest.map(|[force, _]| peak(force, 0.0))),
+        (ResultName::PeakAcceleration, largest.filter(|_| free).map(|[_, acceleration]| peak(acceleration, 1.0))),
         (ResultName::PeakPressure, pressure.map(|(_, bar)| quantity(bar.value, None, Some(bar.band)))),
         (ResultName::Impulse, Some(quantity(impulse, None, of_impulse.map(|share| share * impulse)))),
     ];
     let body = all.into_iter().filter_map(|(name, quantity)| Some((name, quantity?))).collect();
-    Results { body, bandwidth_by: averaging.map(|(_, by)| by), ..Results::default() }
+    let results = Results { body, bandwidth_by: averaging.map(|averaging| averaging.by), ..Results::default() };
+    let of_peaks = [ResultName::PeakForce, ResultName::PeakAcceleration];
+    let of_peaks = of_peaks.into_iter().filter(|name| results.get(*name).is_some());
+    let about = |name: ResultName| doubted.as_ref().map(|(_, why)| Doubt::about(name.name(), why.clone()));
+    let doubts = of_peaks.filter_map(about).collect();
+    (results, doubts)
 }
 
 /// Impulse upwards on a rigid free body, exact where the force of the first contact is shorter than the rows: m (g Δt − ΔV).

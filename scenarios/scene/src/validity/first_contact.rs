@@ -130,7 +130,7 @@ impl Scene {
 }
 
 /// A round bottom's peak needs an averaging time of this multiple of R V/c₀² (GE20) [-].
-const ACOUSTIC_TIMES: f64 = 10.0;
+pub const ACOUSTIC_TIMES: f64 = 10.0;
 /// Draught at which the water's mass is a fifth of a round body's, at least (GE22) [spacings].
 const LEAST_ROUND: f64 = 1.25;
 /// Least band of a round bottom's peak through its window (GE20), weakly compressible and incompressible, shares of the force: the projection
