@@ -10,14 +10,17 @@
 
 #![allow(unsafe_code)]
 
+mod parts;
+
 use std::any::Any;
 use std::cell::{Cell, RefCell, UnsafeCell};
 use std::hint::spin_loop;
-use std::marker::PhantomData;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
+use std::time::{Duration, Instant};
 
+pub(crate) use parts::{each_part, each_part_of_both};
 use rayon::prelude::*;
 
 /// Looks for work before a thread lets others run.
@@ -26,6 +29,11 @@ const LOOKS: u32 = 2000;
 const TURNS: u32 = 1000;
 /// Loops after which members who left are called again.
 const CALL_EVERY: usize = 64;
+
+/// A member is late that keeps the leader waiting longer than the leader worked, and this: the machine is busy.
+const LATE: Duration = Duration::from_micros(100);
+/// Fewest and most loops that the leader then does alone; twice as many each time.
+const ALONE: [usize; 2] = [64, 4096];
 
 /// What is done with chunk c.
 type Work<'a> = dyn Fn(usize) + Sync + 'a;
@@ -55,6 +63,9 @@ struct Team {
     members: AtomicUsize,
     called: AtomicUsize,
     loops: AtomicUsize,
+    /// Loops that the leader does alone, what is left of them and how many it was last.
+    alone: AtomicUsize,
+    alone_last: AtomicUsize,
     /// A chunk of this loop panicked, and what the first one says.
     failed: AtomicBool,
     panic: Mutex<Option<Box<dyn Any + Send>>>,
@@ -84,6 +95,8 @@ impl Team {
             members: AtomicUsize::new(0),
             called: AtomicUsize::new(0),
             loops: AtomicUsize::new(0),
+            alone: AtomicUsize::new(0),
+            alone_last: AtomicUsize::new(0),
             failed: AtomicBool::new(false),
             panic: Mutex::new(None),
         }
@@ -106,6 +119,12 @@ impl Team {
 
     /// `work(c)` for each of `chunks`, by the leader and who else has time. Returns when all are done.
     fn each(self: &Arc<Team>, chunks: usize, work: &Work<'_>) {
+        let left = self.alone.load(Ordering::Relaxed);
+        if left > 0 || self.shares.len() == 1 {
+            self.alone.store(left.saturating_sub(1), Ordering::Relaxed);
+            let _at_work = AtWork::begin();
+            return (0..chunks).for_each(work);
+        }
         let are_missing = self.members.load(Ordering::Relaxed) + 1 < self.shares.len();
         if self.loops.fetch_add(1, Ordering::Relaxed).is_multiple_of(CALL_EVERY)
             && are_missing
@@ -128,8 +147,18 @@ impl Team {
             share.0.store(end - from, Ordering::Release);
             from = end;
         }
+        let start = Instant::now();
         self.work_as(self.leader);
+        let worked = start.elapsed();
         while !within(TURNS, || self.unfinished.load(Ordering::Acquire) == 0) {}
+        let last = self.alone_last.load(Ordering::Relaxed);
+        let [least, most] = ALONE;
+        let now =
+            if start.elapsed() > 2 * worked + LATE { (2 * last).clamp(least, most) } else { last.saturating_sub(1) };
+        if now > last {
+            self.alone.store(now, Ordering::Relaxed);
+        }
+        self.alone_last.store(now, Ordering::Relaxed);
         if self.failed.swap(false, Ordering::Relaxed) {
             // the lock is given back before the panic goes on
             let panic = self.panic.lock().expect("no panic under this lock").take();
@@ -149,7 +178,7 @@ impl Team {
     /// Do what is left of the loop, one's own share first. Must not panic before it has said what is done: chunks do within a catch.
     fn work_as(&self, member: usize) {
         let (threads, mut done) = (self.shares.len(), 0);
-        AT_WORK.set(true);
+        let at_work = AtWork::begin();
         for of in (0..threads).map(|k| (member + k) % threads) {
             while let Some(left) = self.take(of) {
                 done += 1;
@@ -166,7 +195,7 @@ impl Team {
                 }
             }
         }
-        AT_WORK.set(false);
+        drop(at_work);
         if done > 0 {
             self.unfinished.fetch_sub(done, Ordering::Release);
         }
@@ -193,6 +222,22 @@ impl Team {
             self.work_as(member);
         }
         self.members.fetch_sub(1, Ordering::Relaxed);
+    }
+}
+
+/// This thread is at work for a team as long as this lives.
+struct AtWork;
+
+impl AtWork {
+    fn begin() -> AtWork {
+        AT_WORK.set(true);
+        AtWork
+    }
+}
+
+impl Drop for AtWork {
+    fn drop(&mut self) {
+        AT_WORK.set(false);
     }
 }
 
@@ -254,61 +299,6 @@ pub(crate) fn each_chunk(chunks: usize, work: &Work<'_>) {
         Some(team) => team.each(chunks, work),
         None => (0..chunks).into_par_iter().for_each(work),
     }
-}
-
-/// An array cut into parts of one length.
-struct Parts<'a, T> {
-    start: *mut T,
-    length: usize,
-    part: usize,
-    array: PhantomData<&'a mut [T]>,
-}
-
-// SAFETY: by the contract of `get` it hands out each part once, and parts do not overlap.
-unsafe impl<T: Send> Sync for Parts<'_, T> {}
-
-impl<'a, T> Parts<'a, T> {
-    fn of(array: &'a mut [T], part: usize) -> Parts<'a, T> {
-        Parts { start: array.as_mut_ptr(), length: array.len(), part, array: PhantomData }
-    }
-
-    fn count(&self) -> usize {
-        self.length.div_ceil(self.part)
-    }
-
-    /// Part c.
-    ///
-    /// # Safety
-    /// No part may be asked for twice.
-    #[allow(clippy::mut_from_ref)]
-    unsafe fn get(&self, c: usize) -> &'a mut [T] {
-        let from = c * self.part;
-        assert!(from < self.length, "part {c} of {}", self.count());
-        // SAFETY: within the array, and parts do not overlap.
-        unsafe { std::slice::from_raw_parts_mut(self.start.add(from), self.part.min(self.length - from)) }
-    }
-}
-
-/// `change(c, part)` for every part of `length` of an array.
-pub(crate) fn each_part<T: Send>(array: &mut [T], length: usize, change: &(dyn Fn(usize, &mut [T]) + Sync)) {
-    let parts = Parts::of(array, length);
-    // SAFETY: `each_chunk` asks for each c once.
-    each_chunk(parts.count(), &|c| change(c, unsafe { parts.get(c) }));
-}
-
-/// What is done with part c of two arrays.
-pub(crate) type OnBoth<'a, A, B> = dyn Fn(usize, &mut [A], &mut [B]) + Sync + 'a;
-
-/// The same of two arrays, cut into as many parts.
-pub(crate) fn each_part_of_both<A: Send, B: Send>(
-    (a, length_a): (&mut [A], usize),
-    (b, length_b): (&mut [B], usize),
-    change: &OnBoth<'_, A, B>,
-) {
-    let (a, b) = (Parts::of(a, length_a), Parts::of(b, length_b));
-    assert_eq!(a.count(), b.count());
-    // SAFETY: `each_chunk` asks for each c once.
-    each_chunk(a.count(), &|c| unsafe { change(c, a.get(c), b.get(c)) });
 }
 
 #[cfg(test)]
