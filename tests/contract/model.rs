@@ -58,13 +58,17 @@ fn auto_takes_the_cheapest_model_that_is_right() {
     assert!(model == "mlm" && why.contains("wedge25"), "{why}");
     let (model, why) = chosen(&place, "flexible_wedge", &["want=strain"]);
     assert!(model == "boundary_element" && why.contains("with clamped panels"), "{why}");
+    let (model, why) = chosen(&place, "fuselage_section", &["want=peak_force"]);
+    assert!(model == "boundary_element" && why.contains("first contact of eight arcs"), "{why}");
     // behind wet chines von Karman's force grows on
     let past = ["body.deadrise_deg=45", "body.breadth=2.01", "want=peak_force", "within=0.1"];
     let (model, why) = chosen(&place, "wedge_constant", &past);
     assert_eq!(model, "boundary_element", "{why}");
     for (scene, sets) in [
-        ("fuselage_section", &["want=peak_force"][..]),
-        ("flexible_wedge", &["want=strain", "within=0.04"]),
+        // too short for the mean of the first contact, and lighter than what was measured
+        ("fuselage_section", &["want=peak_force", "time.end=0.003"][..]),
+        ("fuselage_section", &["want=peak_force", "body.mass=80"]),
+        ("flexible_wedge", &["want=strain", "within=0.02"]),
         ("dam_break", &["want=history"]),
         ("wedge", &["want=peak_force", "within=0.01"]),
         ("rising_body", &["want=motion"]),
