@@ -6,13 +6,10 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::hold::Candidates;
+use super::candidates::{BLOCK, Candidates};
 use crate::memory::of_vector;
 use crate::parallel::{self, CHUNK};
 use crate::simd::{self, SimdReal, Task};
-
-/// Targets of a block.
-pub(super) const BLOCK: usize = 8;
 
 /// A number for each target of a block.
 #[repr(align(32))]

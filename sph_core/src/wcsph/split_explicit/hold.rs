@@ -2,16 +2,15 @@
 
 use std::marker::PhantomData;
 
-use super::entry_index::EntryIndex;
-use super::held_pairs::{BLOCK, HeldChunk, HeldPairs, OfBlock, Own, by_distance, lanes, of_targets};
+use super::candidates::{BLOCK, Candidates};
+use super::held_pairs::{HeldChunk, HeldPairs, OfBlock, Own, by_distance, lanes, of_targets};
 use crate::interactions::dissipation::{Dissipation, PairDissipation, WithPairs, with_pairs};
 use crate::interactions::geometry::{MeanScale, PairConstants, PairGeometry, ScaleRule};
 use crate::interactions::packed_particle::PackedParticle;
 use crate::kernel::{self, Kernel, Shape};
-use crate::memory::of_vector;
 use crate::neighbours::lists::Lists;
 use crate::parallel::{self, CHUNK};
-use crate::simd::{LANES, SimdReal, Task};
+use crate::simd::{SimdReal, Task};
 
 /// Take the geometry of the packed particles, which move with the water and with the `shift_velocity` [m/s] (WC26).
 pub(super) fn hold(
@@ -55,50 +54,6 @@ impl WithPairs for Hold<'_> {
             let chunk = HoldChunk::<K, D> { fluid, shift_velocity, constants, first, held, own, pairs };
             kernel::run_sums::<K, _>(simd, chunk);
         });
-    }
-}
-
-/// Everyone whom the targets of each block of a chunk may meet.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Candidates {
-    start: Vec<u32>,
-    /// Index, and a bit for each target that may meet it.
-    found: Vec<(u32, u8)>,
-    /// True for a block in which all that meet have one smoothing length.
-    alike: Vec<bool>,
-}
-
-impl Candidates {
-    /// Of the `count` targets from `first` on, of smoothing length `h` [m].
-    fn of(lists: &Lists, first: usize, count: usize, h: impl Fn(usize) -> f64) -> Candidates {
-        let (mut start, mut found, mut alike) = (vec![0], Vec::new(), Vec::new());
-        let mut seen = EntryIndex::default();
-        for block in (first..first + count).step_by(BLOCK) {
-            seen.clear();
-            let from = found.len();
-            for cluster in (block..(block + BLOCK).min(first + count)).step_by(LANES) {
-                for (j, bits) in lists.cluster(cluster).iter().map(|e| (e.index(), e.bits())) {
-                    let e = from + seen.entry(j) as usize;
-                    if e == found.len() {
-                        found.push((j, 0));
-                    }
-                    found[e].1 |= (bits << (cluster - block)) as u8;
-                }
-            }
-            for (j, meets) in &mut found[from..] {
-                let own = (*j as usize).wrapping_sub(block);
-                *meets &= !(if own < BLOCK { 1_u8 << own } else { 0 }); // no target is its own neighbour
-            }
-            start.push(found.len() as u32);
-            let mut clusters = (block..(block + BLOCK).min(first + count)).step_by(LANES);
-            alike.push(h(block) == h((block + LANES).min(first + count - 1)) && clusters.all(|k| lists.alike(k)));
-        }
-        Candidates { start, found, alike }
-    }
-
-    /// What they hold on to [bytes].
-    pub fn bytes(&self) -> usize {
-        of_vector(&self.start) + of_vector(&self.found) + of_vector(&self.alike)
     }
 }
 

@@ -8,6 +8,7 @@
 
 mod acoustic_step;
 mod advective;
+mod candidates;
 mod entry_index;
 mod held_pairs;
 mod held_walls;
