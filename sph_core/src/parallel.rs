@@ -1,7 +1,7 @@
 //! Parallel loops: every target gathers its own sum in a fixed order.
 //!
-//! The only module that knows of threads. Targets are cut into chunks of fixed length, so the bits of a
-//! result never depend on the number of threads; nothing is scattered, so there are no locks or atomics.
+//! Targets are cut into chunks of fixed length, so the bits of a result never depend on the number of threads. Sums are not
+//! scattered, so they need no locks and no atomics. The threads are those of `team`.
 
 use std::ops::Range;
 use std::sync::Mutex;

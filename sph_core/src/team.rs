@@ -1,4 +1,4 @@
-//! A team of threads that waits awake for the next parallel loop.
+//! A team of threads that spins until the next parallel loop.
 //!
 //! A loop of a small scene lasts 20 to 300 µs, and a pool whose threads sleep between loops needs some 15 µs to begin and to end
 //! one. A team's threads look for the next loop without sleeping, so that beginning and ending one takes less than 1 µs. The chunks of
@@ -23,9 +23,9 @@ use std::time::{Duration, Instant};
 pub(crate) use parts::{each_part, each_part_of_both};
 use rayon::prelude::*;
 
-/// Looks for work before a thread lets others run.
+/// Turns of a spin loop before a thread yields.
 const LOOKS: u32 = 2000;
-/// Such turns without a loop after which a member leaves, some 30 ms.
+/// Yields without a loop after which a member leaves, some 30 ms.
 const TURNS: u32 = 1000;
 /// Loops after which members who left are called again.
 const CALL_EVERY: usize = 64;
@@ -245,9 +245,9 @@ fn leads() -> Option<Arc<Team>> {
     LEADS.with_borrow(Option::clone)
 }
 
-/// Wait for something, awake, letting others run after each turn: false if it does not come within some `turns`.
-fn within(turns: u32, is: impl Fn() -> bool) -> bool {
-    for _ in 0..turns {
+/// Spin until something holds, and yield from time to time: false if it does not hold within this number of yields.
+fn within(yields: u32, is: impl Fn() -> bool) -> bool {
+    for _ in 0..yields {
         for _ in 0..LOOKS {
             if is() {
                 return true;

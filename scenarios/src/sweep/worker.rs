@@ -14,8 +14,8 @@ use crate::ditching;
 
 /// Run a point of a planned sweep; an interrupted one keeps no outcome, so that it runs again: from its checkpoint, where it has one.
 ///
-/// `memory`: what a scene may need [bytes]; `lean`: keep no page and no log; `interrupt` ends the run after the present step; `stepped` is set when the last step has
-/// been taken.
+/// `memory`: what a scene may need [bytes]; `lean`: keep no page and no log; `interrupt` ends the run after the present step;
+/// `stepped` is set when the last step has been taken.
 ///
 /// # Errors
 /// The point was not planned, runs in another process, or its scene has changed since.

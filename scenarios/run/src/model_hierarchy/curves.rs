@@ -15,7 +15,7 @@ const ROUND_DROP_HISTORY_ERROR: f64 = 0.08;
 const ROUND_DROP_ERROR: f64 = 0.035;
 const SHALLOW_DROP_ERROR: f64 = 0.01;
 const SHALLOW_DROP: f64 = 0.15;
-/// Largest difference of the mean force of the first contact (THEORY GE18) from particles, of eight arcs and twenty curves [-].
+/// No difference of the mean force of the first contact (THEORY GE18) from particles was larger, of eight arcs and twenty curves [-].
 const ROUND_PEAK_ERRORS: [f64; 2] = [0.03, 0.055];
 
 /// The same of ellipses and ovoids given by points: force from a twentieth of the half breadth on, four of them, and speed, three of them [-].

@@ -56,7 +56,7 @@ pub(super) struct Largest {
     pub row: Extreme,
 }
 
-/// The largest force [N/m] and acceleration [g]; `None` without an averaging time that the run has room for, for the mean the row.
+/// The largest force [N/m] and acceleration [g]. Where the run is shorter than the averaging time `over` [s], the largest row stands for the mean.
 pub(super) fn largest(scene: &Scene, body: &Body, theory: &Theory, over: Option<f64>) -> Option<[Largest; 2]> {
     let (mut forces, mut accelerations) = (RunningIntegral::<2>::default(), RunningIntegral::<1>::default());
     for (now, motion) in theory.instants.iter().zip(theory.motions(body)) {
